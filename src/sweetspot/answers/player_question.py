@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from sweetspot import catalog
+from sweetspot.answers.bat_sizes import sized_bats
 from sweetspot.catalog.bats import DEFAULT_BAT
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError, maybe_meant, spelt_almost
@@ -76,6 +77,15 @@ class FitPlayerQuestion:
         """Return the bat that one of an unknown name is taken for."""
         return self.bat or catalog.load_bat(COLLEGE_BAT if BBCOR in name.casefold() else DEFAULT_BAT)
 
+    def pattern_of(self, name: str) -> Bat:
+        """Return the bat that one of a name in the file is like where its row has a weight or a length; "": no name."""
+        if name:
+            try:
+                return self.bat_named(name)
+            except InputError:
+                pass  # a sensor's own name
+        return self.stand_in_for(name)
+
 
 @dataclass(frozen=True)
 class PlayerSwings:
@@ -122,8 +132,14 @@ def read_player(question: FitPlayerQuestion, most_swung: Bat | None = None) -> P
         batter=question.batter,
         sport=players_bat.sport,
     )
+    sized = sized_bats(table.swings, pattern_of=question.pattern_of)
+    if not sized.swings:
+        first = sized.bad_rows[0]
+        raise InputError(f"{question.file} has no bat that can be: row {first.row}: {first.reason}")
     good, bats, bad, notes = bats_of(
-        table.swings, load=question.bat_named, stand_in_for=question.stand_in_for if question.stand_ins else None
+        sized.swings,
+        load=lambda name: sized.bats[name] if name in sized.bats else question.bat_named(name),
+        stand_in_for=question.stand_in_for if question.stand_ins else None,
     )
     if question.bat is None and most_swung is None:  # the file says itself what is swung
         swung = Counter(swing.bat for swing in good if swing.bat in bats).most_common(1)
@@ -139,14 +155,14 @@ def read_player(question: FitPlayerQuestion, most_swung: Bat | None = None) -> P
         question.speed_from_tip(players_bat)  # is that place on the bat?
     same = {name for name, other in bats.items() if other == players_bat}
     good = tuple(replace(swing, bat="") if swing.bat in same else swing for swing in good)
-    rows = tuple(sorted((*table.bad_rows, *bad), key=lambda row: row.row))
+    rows = tuple(sorted((*table.bad_rows, *sized.bad_rows, *bad), key=lambda row: row.row))
     check_enough(good, question.file, rows)
     good, thinned = evenly(good, MOST_SWINGS)
     unnamed = question.bat is None and most_swung is None
     assumed = (
         (f"No bat was named: the swings are taken as made with {players_bat.name}; say --bat.",) if unnamed else ()
     )
-    file = replace(table, swings=good, bad_rows=rows, notes=(*assumed, *table.notes, *notes, *thinned))
+    file = replace(table, swings=good, bad_rows=rows, notes=(*assumed, *table.notes, *sized.notes, *notes, *thinned))
     return PlayerSwings(question, file, players_bat, {name: bat for name, bat in bats.items() if name not in same})
 
 

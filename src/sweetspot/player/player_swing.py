@@ -30,7 +30,7 @@ MEASURED = ("bat_speed", "exit_speed", "plate_speed", "release_speed", "launch_a
 WHO = ("batter_name", "batter", "person", "player_name")
 """Quantities that name the batter, the first that is there counts; of one system's own the first of these."""
 OUTCOME = ("description", "outcome")
-SWINGS = (*MEASURED, "bat", *WHO, "date", *OUTCOME)
+SWINGS = (*MEASURED, "bat_mass", "bat_length", "bat", *WHO, "date", *OUTCOME)
 """Quantities of a file of swings."""
 TEXTS = ("bat", "batter", "date", "outcome")
 NEEDED = ("bat_speed", "exit_speed")
@@ -118,6 +118,7 @@ class PlayerSwing:
     position : m from the tip.
     bat : name of the bat as the file gives it; "": the player's own.
     foul : whether the ball went foul; only the bat speed of such a swing counts.
+    bat_mass, bat_length : kg and m of the bat, as the file gives them.
     """
 
     row: int
@@ -129,6 +130,8 @@ class PlayerSwing:
     position: float | None
     bat: str
     foul: bool = False
+    bat_mass: float | None = None
+    bat_length: float | None = None
 
 
 def fault_of(swing: PlayerSwing, length: float, sport: str = "baseball") -> str:

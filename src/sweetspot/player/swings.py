@@ -167,7 +167,9 @@ def _read(
     """Return a row as a swing, as a bad row with its reason, or None where it holds no swing at all."""
     if len(cells) != width:
         return BadRow(line, f"{len(cells)} cells under {width} column names")
+    sized = columns.columns.get("bat_length")
     try:
+        length = (None if sized is None else _number(cells[sized.index], sized, length)) or length
         value = {
             name: _number(cells[column.index], column, length)
             for name, column in columns.columns.items()
@@ -199,6 +201,8 @@ def _read(
         position=value.get("position"),
         bat=cells[named.index].strip() if named else "",
         foul=FOUL in outcome,
+        bat_mass=value.get("bat_mass"),
+        bat_length=value.get("bat_length"),
     )
     wrong = fault_of(swing, length, sport)
     return BadRow(line, wrong) if wrong else swing

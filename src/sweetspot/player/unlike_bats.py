@@ -26,10 +26,10 @@ from sweetspot.player.goal import Goal
 from sweetspot.player.prior import fixed
 
 
-def beyond_own(swung: Sequence[MeasuredBat], own_bat: Bat) -> Mapping[str, Interval]:
+def beyond_own(swung: Sequence[MeasuredBat], players_bat: Bat) -> Mapping[str, Interval]:
     """Return the mean exit speed of every bat of a file beyond that with the player's own, where both were measured."""
-    mine = next((bat.exit_speed for bat in swung if bat.bat == own_bat), None)
-    beyond = {bat.bat.name: difference(bat.exit_speed, mine) for bat in swung if bat.bat != own_bat}
+    mine = next((bat.exit_speed for bat in swung if bat.bat == players_bat), None)
+    beyond = {bat.bat.name: difference(bat.exit_speed, mine) for bat in swung if bat.bat != players_bat}
     return {name: more for name, more in beyond.items() if more is not None}
 
 
