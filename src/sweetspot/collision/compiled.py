@@ -51,8 +51,8 @@ SEPARATED, STILL_IN_CONTACT, NO_CONTACT, _ = map(int, Outcome)
 CLOSING, BALL_POSITION, BALL_SPEED, SURFACE, APPROACH, BEFORE, EARLIER = range(7)
 PEAK, RISING, OFFSET, POWER, IMPULSE, LARGEST, KICKS, EVENT, FORCE, CONTACT = range(7, 17)
 GIVE, FORMER, PUSHED, DEEPEST, HARDEST, UNTIL, MISSING = range(17, 24)
-RATE, MIDDLE, BY_STEPS, SURFACE_GIVE, LIGHTNESS, DAMPED, TOTAL, FORMER_TOTAL = range(24, 32)
-STATE_ROWS = 32
+RATE, MIDDLE, BY_STEPS, SURFACE_GIVE, LIGHTNESS, DAMPED, TOTAL, FORMER_TOTAL, TURNED_AT, FREE = range(24, 34)
+STATE_ROWS = 34
 
 
 class Lanes(NamedTuple):
@@ -75,6 +75,8 @@ _impulse_of_the_turn = register_jitable(impulse_of_the_turn)
 _unloading_power = register_jitable(contact_law.unloading_power)
 _top_of = register_jitable(contact_law.top_of)
 _damped_impulse = register_jitable(contact_law.damped_impulse)
+_forgetting = register_jitable(contact_law.forgetting)
+_remembered = register_jitable(contact_law.remembered)
 for readable in (restitution_at, damped_part, contact_law.wall_speed):
     register_jitable(readable)
 
@@ -194,13 +196,14 @@ def _follow(lane: int, bat: BatNumbers, ball: BallNumbers, steps: Steps, lanes: 
         if state[UNTIL, lane] == 0.0:
             _finish(lane, ball, steps, lanes, output)
             more = _kicks_within_reach(lane, bat.omega, steps.step, limit, lanes)
-            state[UNTIL, lane], state[OFFSET, lane] = min(limit, kicks + more), QUIET
+            state[UNTIL, lane], state[OFFSET, lane], state[FREE, lane] = min(limit, kicks + more), QUIET, 0.0
         if kicks >= state[UNTIL, lane]:
             return True
         # the bat may catch up: go on without a force; any touch is an event
+        state[FREE, lane] += _forgetting(-state[APPROACH, lane], state[DEEPEST, lane])
         state[APPROACH, lane], state[PEAK, lane], state[RISING, lane] = 1.0, 0.0, 0.0
     elif state[UNTIL, lane] > 0.0:
-        _touch(lane, ball, state)
+        _touch_again(lane, ball, steps.step, state)
     else:
         _turn(lane, ball, steps.step, state)
     return False
@@ -327,6 +330,23 @@ def _touch(lane: int, ball: BallNumbers, state: Array) -> None:
 
 
 @inner(_nrt=False)
+def _touch_again(lane: int, ball: BallNumbers, step: float, state: Array) -> None:
+    """Begin another contact, of a ball that remembers what it was pressed in: `coupled._touched_again`."""
+    _touch(lane, ball, state)
+    deepest = state[TURNED_AT, lane]
+    if deepest > 0:
+        deepest = _remembered(ball, deepest, state[DEEPEST, lane], state[FREE, lane] * step)
+    state[TURNED_AT, lane] = deepest
+    if deepest > 0:
+        force = ball.stiffness * deepest**ball.exponent
+        peak = deepest + state[GIVE, lane] * force
+        if state[APPROACH, lane] < peak:
+            power = _unloading_power(ball, deepest, force)
+            state[PEAK, lane], state[RISING, lane] = peak, 0.0
+            state[OFFSET, lane], state[POWER, lane] = log(force) - power * log(deepest), power
+
+
+@inner(_nrt=False)
 def _turn(lane: int, ball: BallNumbers, step: float, state: Array) -> None:
     """Change a lane from loading to unloading, at the top of the parabola through three kicks, or back."""
     if state[RISING, lane] == 0.0:
@@ -342,7 +362,7 @@ def _turn(lane: int, ball: BallNumbers, step: float, state: Array) -> None:
         state[PEAK, lane] = max(state[PEAK, lane], height)
     give = state[GIVE, lane]
     deepest, force = pressed(state[PEAK, lane], give, state[FORCE, lane], log(ball.stiffness), ball.exponent)
-    state[DEEPEST, lane] = max(state[DEEPEST, lane], deepest)
+    state[DEEPEST, lane], state[TURNED_AT, lane] = max(state[DEEPEST, lane], deepest), deepest
     state[HARDEST, lane] = max(state[HARDEST, lane], force)
     power, slope = _unloading_power(ball, deepest, force), force / deepest
     state[OFFSET, lane], state[POWER, lane] = log(force) - power * log(deepest), power

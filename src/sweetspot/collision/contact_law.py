@@ -12,6 +12,11 @@ from sweetspot.equipment.ball import Ball, RestitutionLine, damped_part, restitu
 LEAST_DAMPING = 1e-7
 """s/m; below it a damper takes less than 1e-5 of what is lost, and its formulas lose their digits."""
 NEWTON_STEPS = 60
+FORGOTTEN = 1e-3
+"""Part of a compression below which a ball is as new: the force there is below 1e-4 of that where it turned."""
+NEAR = 0.01
+"""Part of the greatest compression: closer than this to the bat, a ball forgets at less than half its rate [our choice;
+0.2 mm for a baseball at game speed]."""
 FREELY = 0.999
 """Largest c e v on the way back: beyond 1 no elastic force could drive a ball so quickly against its damper."""
 NEARLY = 3e-8
@@ -33,6 +38,8 @@ class LossyBall(Protocol):
 
     @property
     def mass(self) -> float: ...
+    @property
+    def stiffness(self) -> float: ...
     @property
     def exponent(self) -> float: ...
     @property
@@ -157,16 +164,47 @@ def top_of(before: float, middle: float, after: float) -> float:
     return middle + 0.125 * (after - before) ** 2 / (2 * middle - before - after)
 
 
+def forgetting(distance: float, greatest: float) -> float:
+    """Return the rate at which a ball forgets so far from the bat, in parts of its usual rate: g / (g + U / 100).
+
+    Nothing while they touch, so that a ball which is free for an instant is that which stays in touch.
+
+    Parameters
+    ----------
+    distance : g in m between ball and bat, >= 0.
+    greatest : U in m, the greatest compression so far.
+    """
+    return distance / (distance + NEAR * greatest)
+
+
+def remembered(ball: LossyBall, turned_at: float, greatest: float, free: float) -> float:
+    """Return the compression in m that a ball remembers, which was free for a time: U exp(-t / T), or 0.
+
+    T = sqrt(m / (k U^(n-1))) is the time of its mass on the stiffness at its greatest compression U: a quarter of a
+    millisecond for a baseball at game speed, a third of the contact [our choice; nothing of it was measured].
+
+    Plain arithmetic, which the kernel compiles.
+
+    Parameters
+    ----------
+    turned_at : m, where the ball began to spring back, or what it remembered when it was last touched.
+    greatest : U in m.
+    free : t in s, each moment by its `forgetting`.
+    """
+    left = math.exp(-free * math.sqrt(ball.stiffness * greatest ** (ball.exponent - 1) / ball.mass))
+    return turned_at * left if turned_at * left > FORGOTTEN * greatest else 0.0
+
+
 @dataclass(frozen=True)
 class ContactLaw:
     """The elastic part G of a ball's force: up along k u^n, down along the power that returns what the ball gives back.
 
-    Pressed again before it is free, the ball goes up along the way it came down, then on along k u^n.
+    Pressed again before it is whole, the ball goes up along the way down from the compression U that it remembers, then
+    on along k u^n. While it stays in touch it remembers all of U; free, it forgets (`remembered`).
 
     Parameters
     ----------
-    recovers : whether a ball that was free for however short is as new when it is hit again; if not, it goes up along
-        the way it came down then too. Which of the two is nearer within milliseconds has not been measured.
+    recovers : whether a free ball forgets; if not, it is pressed again as it came down however long it was free.
     """
 
     ball: Ball
@@ -189,6 +227,10 @@ class ContactLaw:
             greatest, power = self._turn(turned_at)
             force = float(greatest * (compression / turned_at) ** power)
         return force, power * force / compression
+
+    def remembered(self, turned_at: float, greatest: float, free: float) -> float:
+        """Return the compression in m that the ball remembers when it is touched again; see the function."""
+        return remembered(self.ball, turned_at, greatest, free) if self.recovers else turned_at
 
     def _turn(self, turned_at: float) -> tuple[float, float]:
         """Return the force where the ball began to spring back, N, and the power of its way down."""

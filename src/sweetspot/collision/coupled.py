@@ -34,7 +34,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from sweetspot.collision.contact_law import ContactLaw, damped_impulse, top_of
+from sweetspot.collision.contact_law import ContactLaw, damped_impulse, forgetting, loading_force, top_of
 from sweetspot.collision.free_motion import Flow, Motion, Struck, moved, struck_place
 from sweetspot.collision.impact import CONTACT_FORCE, EnergyLedger, Impact, Outcome, bat_energy
 from sweetspot.collision.time_step import (
@@ -229,12 +229,11 @@ def _integrated(
         again = flow.overtaken(motion, struck, kicks=limit - len(course.forces))
         if again is None:
             break
-        apart, motion = again
+        distances, motion = again
+        _touched_again(course, struck, law, distances, step)
         outcome, late = Outcome.STILL_IN_CONTACT, 0.0
-        if law.recovers:
-            course.peak, course.turned_at = 0.0, None
         for history in (course.compressions, course.forces, course.impulses, path):
-            history.extend([0.0] * apart)
+            history.extend([0.0] * len(distances))
         course.approaches, course.rate = [0.0], None
     displacement, velocity = motion.bat.reshape(2, -1)
     return _Contact(
@@ -252,6 +251,16 @@ def _integrated(
         compressions=course.compressions,
         impulses=course.impulses,
     )
+
+
+def _touched_again(course: Course, struck: Struck, law: ContactLaw, distances: list[float], step: float) -> None:
+    """Let the ball forget what it was pressed in, at these distances in m from the bat at every step."""
+    left = 0.0
+    if course.turned_at is not None:
+        free = step * sum(forgetting(distance, course.greatest) for distance in distances)
+        left = law.remembered(course.turned_at, course.greatest, free)
+    course.turned_at = left or None
+    course.peak = left + struck.compliance * loading_force(law.ball, left)
 
 
 def _kicks(

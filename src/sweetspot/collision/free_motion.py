@@ -201,8 +201,8 @@ class Flow:
         displacement, velocity = motion.bat.reshape(2, -1)
         return float(velocity @ velocity + displacement @ (self.stiffness * displacement)) / 2
 
-    def overtaken(self, motion: Motion, struck: Struck, *, kicks: int) -> tuple[int, Motion] | None:
-        """Return after how many kicks the bat catches up with a ball that has just left it, and the motion then.
+    def overtaken(self, motion: Motion, struck: Struck, *, kicks: int) -> tuple[list[float], Motion] | None:
+        """Return the distances in m at every kick until the bat catches up with a ball, and the motion then.
 
         None: it never does, or not within ``kicks``. Without its vibrations the struck place moves evenly; the ball is
         gone for good when it is further from there than all vibrations together can reach.
@@ -215,10 +215,13 @@ class Flow:
         fast = ~slow
         amplitude = np.hypot(displacement[fast], velocity[fast] / self.modes.angular_frequency[fast])
         reach = float(np.abs(shape[fast]) @ amplitude)
+        distances: list[float] = []
         for kick in range(kicks):
             if speed > 0 and distance + kick * self.step * speed > reach:
                 return None
-            if motion.ball_position > float(struck.seen[0] @ motion.bat):
-                return kick, motion
+            apart = float(struck.seen[0] @ motion.bat) - motion.ball_position
+            if apart < 0:
+                return distances, motion
+            distances.append(apart)
             motion = self.drifted(motion)
         return None

@@ -96,8 +96,7 @@ class Impact(ShownInNotebooks):
         kick gave, the force times the step but for the step's correction.
     approach : what ball and surface together are pressed in, m, as the kicks see it, shape (steps,).
     lateral : m across the face from the bat's line.
-    unrecovered : the same hit by a ball that is not as new when it is touched again (`ContactLaw`); None: it is touched
-        once.
+    unrecovered : the same hit by a ball that forgets nothing while it is free (`ContactLaw`); None: it is touched once.
     """
 
     outcome: Outcome

@@ -210,7 +210,7 @@ def _force(force: Number) -> Slot:
 
 AGAIN = (
     "{where} {implement} catches up with the {ball} and hits it again. How far a {ball} has recovered by then has "
-    "not been measured: it is taken as new{otherwise}."
+    "not been measured: it is taken to spring back about as quickly as it was pressed in{otherwise}."
 )
 FIRST_TOUCH = "By the first touch alone it would leave {slower:speed} {faster}, {efficiency} {first}."
 IN_HANDS = (
