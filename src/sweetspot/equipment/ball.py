@@ -12,6 +12,7 @@ from pydantic import Field
 from sweetspot.equipment.base import Fraction, Positive, Real, Validated
 from sweetspot.errors import InputError
 from sweetspot.numerics.interpolants import on_parabola
+from sweetspot.numerics.roots import root_between
 
 COR_FLOOR = 0.05
 """Lowest restitution the law may reach; keeps it meaningful far beyond game speed."""
@@ -276,8 +277,6 @@ def damping_from_share(share: float, *, speed: float, restitution: float) -> flo
     >>> round(damping_from_share(0.3, speed=60.8, restitution=0.478), 4)
     0.0063
     """
-    from scipy.optimize import brentq
-
     if share == 0:
         return 0.0
     least, most = 1e-5 / speed, (1 - 1e-12) / (restitution * speed)
@@ -285,7 +284,7 @@ def damping_from_share(share: float, *, speed: float, restitution: float) -> flo
     def excess(damping: float) -> float:
         return rate_share(damping, speed=speed, restitution=restitution) - share
 
-    return float(brentq(excess, least, most, xtol=1e-14)) if excess(least) < 0 else 0.0
+    return root_between(excess, least, most) if excess(least) < 0 else 0.0
 
 
 def peak_compression(ball: Ball, speed: float) -> float:
