@@ -23,7 +23,7 @@ from sweetspot.reports.document import (
 )
 from sweetspot.reports.paper.statements import CHAIN, StatedRow, stated
 from sweetspot.reports.quantities import SI, Reader
-from sweetspot.reports.sentences import Slot, say
+from sweetspot.reports.sentences import Sentence, Slot, say
 from sweetspot.reports.uncertainty import how_sure
 from sweetspot.units.text import GROUPED_FROM, grouped
 from sweetspot.validation import Result
@@ -33,7 +33,7 @@ SUPPORTS = {"clamped": "clamped at its edges", "floor": "lying on a floor", "fre
 
 def drop_document(answer: DropAnswer) -> Document:
     """Return a drop test as a document; in SI unless somebody says otherwise, as its laboratories have it."""
-    blocks: list[Block] = [values_table(_rows(answer))]
+    blocks: list[Block] = [Paragraph(_rebound_words(answer)), values_table(_rows(answer))]
     if float(answer.deflection) > float(answer.thickness):
         bent = say(
             "Beware: the block deflects by {deflection:pressed}, more than its thickness: real plates are stiffer "
@@ -54,6 +54,21 @@ def drop_document(answer: DropAnswer) -> Document:
         data=data,
         rows={name: [value] for name, value in (flat | energies).items()},
         reader=SI,
+    )
+
+
+def _rebound_words(answer: DropAnswer) -> Sentence:
+    """Return how the ball comes back: by heights where it was dropped, else by speeds."""
+    dropped = answer.question.speed is None
+    return say(
+        "{how} {before}, the ball {back} {after}: restitution {answer.restitution:ratio, 3}, {kept:share} of the "
+        "energy.",
+        how="Dropped from" if dropped else "Met at",
+        before=Slot(answer.fall_height, "place") if dropped else Slot(answer.fall_speed, "speed", 2),
+        back="comes back to" if dropped else "leaves at",
+        after=Slot(answer.rebound_height, "place") if dropped else Slot(answer.rebound_speed, "speed", 2),
+        answer=answer,
+        kept=answer.energy_kept,
     )
 
 
@@ -98,10 +113,15 @@ def pendulum_document(answer: PendulumAnswer) -> Document:
         ("centre of percussion, from the knob end", Slot(answer.center_of_percussion, "length")),
     ]
     data, named = answer.to_dict(), "moment of inertia" if answer.question.timed else "period"
+    if answer.question.timed:
+        said = (say("The moment of inertia about {pivot:place, round} is", pivot=answer.pivot), Slot(answer.moi, "moi"))
+    else:
+        said = (say("It swings to and fro in"), Slot(answer.period, "time", 4))
     return Document(
         name="pendulum",
         title="Pendulum",
         blocks=[
+            Paragraph(say("{name} {value}.", name=said[0], value=said[1])),
             values_table(rows),
             *([] if answer.uncertainty is None else [how_sure(answer.uncertainty, named)]),
         ],
@@ -123,7 +143,7 @@ def validation_document(results: Sequence[Result]) -> Document:
         name="validate",
         title="Published cases",
         kind="Validation",
-        blocks=[Table("", columns, cells, name="published"), Paragraph(headline)],
+        blocks=[Paragraph(headline), Table("", columns, cells, name="published")],
         data={"headline": headline, "summary": counts, "rows": rows},
         rows=as_columns(rows),
         passed=validation.passed(results),

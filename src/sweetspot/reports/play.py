@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from sweetspot.analysis.full_play import Play, Plays
-from sweetspot.answers.flight import flight_of
+from sweetspot.answers.flight import FlightEnd, flight_of
 from sweetspot.answers.play import PlayAnswer
 from sweetspot.catalog.sports import sport
 from sweetspot.collision.hit_in_space import Strike
+from sweetspot.flight.home_runs import is_likely
 from sweetspot.numerics.interval import Interval, Number
 from sweetspot.reports.bat.provenance import soft_note
 from sweetspot.reports.document import Document, Paragraph, Picture, drawn
@@ -61,22 +62,32 @@ def play_words(answer: PlayAnswer) -> Sentence:
     )
     if launch is None or answer.flight is None:
         return say("The bat came {met}: {outcome}.", met=contact, outcome=struck.outcome.sentence)
+    chance = answer.home_run_chance
     sentences = [
-        say("The bat meets the ball {met}, at {speed:speed}.", met=contact, speed=answer.bat_speed),
+        *([] if answer.fence is None else [outcome_words(answer.fence, chance)]),
+        *([] if chance is None else [home_runs_words(chance)]),
         say("The ball leaves {launch}.", launch=launch_words(launch)),
         *by_ball(answer.exit_speed_half_by_ball, answer.exit_speed_half_by_kind, words),
-        *([] if struck.impact is None else touched_again(struck.impact, words)),
-        "" if answer.gripped else "It slides on the bat all through the contact: friction cannot turn it further.",
         flight_words(answer.flight),
     ]
     if answer.carry_half is not None:
         sentences.append(alike_words(answer.carry_half, spin_known=True))
-    chance = answer.home_run_chance
-    if answer.fence is not None:
+    if answer.fence is not None and answer.fence.clearance is not None:
         sentences.append(fence_words(answer.fence, chance=None if chance is None else float(chance)))
-    if chance is not None:
-        sentences.append(home_runs_words(chance))
-    return joined(sentences)
+    return joined([
+        *sentences,
+        say("The bat met the ball {met}, at {speed:speed}.", met=contact, speed=answer.bat_speed),
+        *([] if struck.impact is None else touched_again(struck.impact, words)),
+        "" if answer.gripped else "It slid on the bat all through the contact: friction cannot turn it further.",
+    ])  # fmt: skip
+
+
+def outcome_words(end: FlightEnd, chance: Number | None) -> Sentence:
+    """Return first of all how a play ends in its park."""
+    if end.outcome == "foul":
+        return say("Foul at {park}.", park=end.park)
+    likely = end.outcome == "home run" if chance is None else is_likely(float(chance))
+    return say("{ending} at {park}.", ending="Home run" if likely else "It stays in the field of play", park=end.park)
 
 
 def home_runs_words(chance: Number) -> Sentence:
