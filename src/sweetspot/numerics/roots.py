@@ -9,7 +9,7 @@ STEPS = 200
 
 
 def root_between(function: Callable[[float], float], low: float, high: float, *, tolerance: float = 1e-14) -> float:
-    """Return where a continuous function changes sign, by the Illinois form of the rule of false position.
+    """Return the place at which a continuous function changes sign, by the Illinois form of the rule of false position.
 
     Parameters
     ----------

@@ -114,14 +114,14 @@ def pendulum_document(answer: PendulumAnswer) -> Document:
     ]
     data, named = answer.to_dict(), "moment of inertia" if answer.question.timed else "period"
     if answer.question.timed:
-        said = (say("The moment of inertia about {pivot:place, round} is", pivot=answer.pivot), Slot(answer.moi, "moi"))
+        lead = (say("The moment of inertia about {pivot:place, round} is", pivot=answer.pivot), Slot(answer.moi, "moi"))
     else:
-        said = (say("It swings to and fro in"), Slot(answer.period, "time", 4))
+        lead = (say("It swings to and fro in"), Slot(answer.period, "time", 4))
     return Document(
         name="pendulum",
         title="Pendulum",
         blocks=[
-            Paragraph(say("{name} {value}.", name=said[0], value=said[1])),
+            Paragraph(say("{name} {value}.", name=lead[0], value=lead[1])),
             values_table(rows),
             *([] if answer.uncertainty is None else [how_sure(answer.uncertainty, named)]),
         ],
