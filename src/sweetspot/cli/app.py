@@ -33,6 +33,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
         "tap taps.wav --bat r161-ash --at 1in-from-tip",
     ),
     "calibrate": ("calibrate r161-ash --mass 31.00oz±0.05oz --tone bending-1:172Hz±0.5Hz --out mine.toml",),
+    "calibrate-ball": ("calibrate-ball tennis --drop 254cm:135cm±1cm --temperature 10degC",),
     "rank": ("rank dozen.csv --like r161-ash",),
     "drop": ("drop --height 1m --material white-ash --thickness 10cm",),
     "pendulum": ("pendulum --mass 31oz --balance-point 22in --period 1.45s",),

@@ -99,6 +99,7 @@ MAKERS: Mapping[str, str] = {
     "PendulumAnswer": "sweetspot.reports.bench:pendulum_document",
     "RankAnswer": "sweetspot.reports.calibration.ranking_report:ranking_document",
     "CalibrateAnswer": "sweetspot.reports.calibration.document:calibration_document",
+    "CalibrateBallAnswer": "sweetspot.reports.calibration.ball_report:calibrate_ball_document",
     "FitPlayerAnswer": "sweetspot.reports.player.document:player_document",
     "FitTeamAnswer": "sweetspot.reports.player.team:team_document",
     "TapAnswer": "sweetspot.reports.tap:tap_document",
