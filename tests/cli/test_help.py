@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from sweetspot.cli import main
-from sweetspot.cli.app import EVERY_COMMAND, EXAMPLES, PATHS, app
+from sweetspot.cli.app import EVERY_COMMAND, EXAMPLES, GROUPS, PATHS, app
 from tests.documented import DOCS, write_files
 from tests.golden.commands import commands as golden_commands
 
@@ -87,3 +87,19 @@ def test_help_ends_however_narrow_the_terminal(
     monkeypatch.setenv("COLUMNS", columns)
     for command in commands:
         assert run(command, "--help")[0] == 0
+
+
+def test_every_command_stands_in_one_group_of_the_overall_help(run: Run) -> None:
+    grouped = [command for commands in GROUPS.values() for command in commands]
+    assert sorted(grouped) == sorted(PATHS)
+    _, out, _ = run("--help")
+    assert [title for title in GROUPS if title in out] == list(GROUPS)
+    assert out.index("report") < out.index("hit") < out.index("calibrate") < out.index("validate")
+
+
+def test_a_shell_learns_every_command_and_option(tmp_path: Path, run: Run) -> None:
+    script = tmp_path / "completions"
+    code, _, _ = run("--install-completion", "--shell", "zsh", "--output", str(script))
+    text = script.read_text(encoding="utf-8")
+    assert code == 0 and all(command in text for command in PATHS)
+    assert all(option in text for option in ("--launch-angle", "--what-if", "--league", "--bat-speed"))

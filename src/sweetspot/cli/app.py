@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from cyclopts import App, Parameter
+from cyclopts import App, Group, Parameter
 
 from sweetspot import __version__
 
@@ -56,6 +56,14 @@ CATALOGUE: Mapping[str, tuple[str, ...]] = {
 }
 """The same of those that share a module."""
 EXAMPLES: Mapping[str, tuple[str, ...]] = {**COMMANDS, **CATALOGUE, **PAGE}
+GROUPS: Mapping[str, tuple[str, ...]] = {
+    "Start here": ("report", "hit", "compare", "app", "bats", "sports"),
+    "My bat": ("outline", "tap", "pendulum", "calibrate", "rank", "match", "design"),
+    "Players and seasons": ("fit-player", "play", "fly", "optimum", "season", "parks"),
+    "Rules": ("certify",),
+    "Physics, and where it comes from": ("paper", "drop", "validate", "show", "schema", "prepare"),
+}
+"""Commands as the overall help has them, by what somebody comes for."""
 EVERY_COMMAND = (
     "Lengths, weights, speeds and angles have units: 33in, 84cm, 31oz, 90mph, 10deg. Every command takes --force: "
     "numbers as they are given, however unusual. A name with blanks stands in quotes."
@@ -87,8 +95,16 @@ MODULES = {
     **dict.fromkeys(PAGE, "page_command"),
 }
 PATHS = {name: f"sweetspot.cli.{module}:{name.replace('-', '_')}" for name, module in MODULES.items()}
-for name, path in PATHS.items():
-    app.command(path, name=name, help_epilogue=_foot(name))
+for order, (title, commands) in enumerate(GROUPS.items()):
+    group = Group(title, sort_key=order)
+    for place, name in enumerate(commands):
+        app.command(PATHS[name], name=name, group=group, sort_key=place, help_epilogue=_foot(name))
+app.register_install_completion_command(
+    help="Let the shell complete commands and options, by default the shell that runs."
+)
+options = Group("Options", sort_key=len(GROUPS))
+for flag in ("--help", "--version", "--install-completion"):
+    app[flag].group = options
 
 
 def load_all() -> None:
