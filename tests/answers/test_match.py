@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -75,3 +76,17 @@ def test_pairs_that_cannot_be_matched(other: str, reason: str) -> None:
         sweetspot.match("r161-ash", "mlb-a")
     with pytest.raises(InputError, match="off Tennis racket"):
         sweetspot.match("tennis-racket", "tennis-racket", places=(0.9,))
+
+
+def test_the_racket_with_the_lead_is_a_file(run: Callable[..., tuple[int, str, str]], tmp_path: Path) -> None:
+    """What is read again is the same piece with the lead, to the digits of the file, so doubt of it cancels."""
+    wanted, out = tmp_path / "heavier.toml", tmp_path / "leaded.toml"
+    wanted.write_text('like = "tennis-racket"\nmass = "330 g"\nswing_weight = 335\n', encoding="utf-8")
+    code, _, said = run("match", "tennis-racket", str(wanted), "--out", str(out))
+    assert code == 0 and "wrote" in said
+    racket, plain, aim = catalog.implement(out), catalog.implement("tennis-racket"), catalog.implement(wanted)
+    assert plain in racket.lineage()
+    after, target = (rigid_body(beam_model(each)) for each in (racket, aim))
+    assert after.mass == pytest.approx(target.mass, abs=1e-4)
+    assert after.moi(0.1) == pytest.approx(target.moi(0.1), abs=1e-4)
+    assert run("match", "tennis-racket", str(wanted), "--out", str(out))[0] == 2

@@ -10,6 +10,7 @@ import numpy as np
 
 from sweetspot.answers.answer import Answer
 from sweetspot.answers.records import INTERNAL, Length, Mass, MomentOfInertia
+from sweetspot.catalog.files.write import implement_toml, legible
 from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
@@ -23,6 +24,8 @@ SPACING = 0.01
 SCALES = (1e-4, 1e-3, 1e-4, 1e-5)
 """kg, m, kg m^2, kg m^2: what scale, balance board and swing-weight machine tell apart, 0.1 g, 1 mm, 1 and 0.1 kg cm^2
 [our choice]; a target within that is reached."""
+DIGITS = 9
+"""Of the numbers in its file."""
 LEAST = 1e-5
 """kg; a piece below that is none."""
 
@@ -79,6 +82,10 @@ class MatchAnswer(Answer):
     reached: bool
     leaded: Annotated[Implement, INTERNAL]
 
+    def to_toml(self) -> str:
+        """Return the racket with the lead as a file."""
+        return legible(implement_toml(self.leaded), digits=DIGITS)
+
 
 def match_answer(question: MatchQuestion) -> MatchAnswer:
     """Return the lead on a racket that comes nearest to another in mass, balance, swing weight and twist weight.
@@ -124,7 +131,8 @@ def match_answer(question: MatchQuestion) -> MatchAnswer:
     exact = [Lead(*map(float, each)) for each in zip(place, lateral, masses, strict=True) if each[2] > LEAST]
     aim = _feel(wanted, axis)
     for lead in (exact if question.places else _joined(exact, implement), exact):
-        leaded = implement.replaced(name=f"{implement.name}, leaded", added=(*implement.added, *_weights(lead)))
+        added = (*implement.added, *_weights(lead))
+        leaded = implement.replaced(name=f"{implement.name}, leaded", added=added, original=implement)
         after = _feel(rigid_body(beam_model(leaded)), axis)
         if reached := _same(after, aim):
             break

@@ -16,7 +16,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "fly": ("fly --exit-speed 103mph --launch-angle 28deg --park fenway", "fly --launch-angle 10deg:40deg:7"),
     "compare": ("compare my-bat.toml r161-ash --bat-speed 68mph", "compare r161-ash --what-if cork"),
     "certify": ("certify r161-ash", "certify my-bat.toml --shots shots.csv"),
-    "match": ("match my-racket.toml tennis-racket --places 2cm,15cm,52cm,67cm",),
+    "match": ("match my-racket.toml tennis-racket --places 2cm,15cm,52cm,67cm --out leaded.toml",),
     "optimum": ("optimum --show swing", "optimum --show parks --park all"),
     "fit-player": ("fit-player swings.csv --bat r161-ash --pitch-speed 60mph",),
     "design": ("design mlb-a --contact 8in --contact-spread 1.2in --out torpedo",),

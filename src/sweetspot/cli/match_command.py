@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+from dataclasses import replace
 from typing import Annotated
 
 from cyclopts import Parameter
@@ -22,7 +24,10 @@ def match(
     ] = None,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
-    """Find the lead that gives a racket another's weight, balance, swing weight and twist weight at once."""
+    """Find the lead that gives a racket another's weight, balance, swing weight and twist weight at once.
+
+    --out leaded.toml writes the racket with the lead as a file.
+    """
     from sweetspot.answers.ask_bat import match as asked
     from sweetspot.catalog.implements import loaded_implement
     from sweetspot.cli.output import present
@@ -35,4 +40,12 @@ def match(
         if places is None
         else tuple(parse_position(place, length=length, what="--places") for place in places.split(","))
     )
-    return present(asked(given, loaded_implement(target), places=spots), output)
+    found = asked(given, loaded_implement(target), places=spots)
+    out = output.out
+    if out is None or out.suffix.lower() != ".toml":
+        return present(found, output)
+    from sweetspot.reports.files import write_all
+
+    write_all({out: found.to_toml().encode()})
+    print(f"sweetspot: wrote {out}", file=sys.stderr)
+    return present(found, replace(output, out=None))
