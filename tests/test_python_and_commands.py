@@ -83,6 +83,10 @@ ASKED: list[tuple[str, Callable[[], Any]]] = [
     ),
     ("certify r161-ash --league mlb", lambda: door.certify(R161, league="mlb")),
     (
+        "certify pickleball-paddle --speed 50mph --clamp-inertia 12.15kg*cm^2",
+        lambda: door.certify_paddle("pickleball-paddle", speed="50 mph", clamp_inertia="12.15 kg*cm^2"),
+    ),
+    (
         "optimum --show launch --exit-speed 95mph --backspin 2000rpm",
         lambda: door.optimum(R161, show=["launch"], exit_speed="95mph", backspin="2000rpm"),
     ),
@@ -163,6 +167,6 @@ def without_words(printed: Any, answered: Any) -> Any:
 def test_every_question_is_tried() -> None:
     asked = {words.split()[0].replace("-", "_") for words, _ in ASKED}
     doors = {name: getattr(door, name) for name in door.__all__ if inspect.isfunction(getattr(door, name))}
-    assert asked | {"fly_table", "what_if"} == {
+    assert asked | {"fly_table", "what_if", "certify_paddle"} == {
         name for name, ask in doors.items() if ".ask_" in ask.__wrapped__.__module__
     }

@@ -14,6 +14,7 @@ from .analysis.certification.shots import Shots
 from .analysis.full_play import Plays
 from .answers.calibrate import CalibrateAnswer as CalibrateAnswer
 from .answers.certify import CertifyAnswer as CertifyAnswer
+from .answers.certify_paddle import CertifyPaddleAnswer as CertifyPaddleAnswer
 from .answers.compare import CompareAnswer as CompareAnswer
 from .answers.design import DesignAnswer as DesignAnswer
 from .answers.drop import DropAnswer as DropAnswer
@@ -83,6 +84,7 @@ __all__ = [
     "BeamModel",
     "CalibrateAnswer",
     "CertifyAnswer",
+    "CertifyPaddleAnswer",
     "CompareAnswer",
     "Conditions",
     "Contact",
@@ -132,6 +134,7 @@ __all__ = [
     "catalog",
     "centre_of_percussion",
     "certify",
+    "certify_paddle",
     "compare",
     "design",
     "drop",
@@ -289,6 +292,15 @@ def certify(
     wall_that_passes: bool = False,
     uncertainty: bool = False,
 ) -> CertifyAnswer: ...
+def certify_paddle(
+    paddle: Tool,
+    *,
+    league: str | None = None,
+    ball: str | None = None,
+    speed: Amount | None = None,
+    clamp_inertia: Amount | None = None,
+    shots: Shots | str | Path | None = None,
+) -> CertifyPaddleAnswer: ...
 def compare(
     *implements: Tool,
     what_if: str | Sequence[str] = ...,

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from sweetspot import catalog
 from sweetspot.answers.setups import AS_USUAL, HitSetup, Place, SwungWith, check_beyond_hands, round_bat
 from sweetspot.catalog.implements import Loaded
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.errors import InputError
 from sweetspot.papers.choices import Choices
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
     from sweetspot.analysis.certification.shots import Shots
     from sweetspot.answers.certify import CertifyAnswer
+    from sweetspot.answers.certify_paddle import CertifyPaddleAnswer
     from sweetspot.answers.compare import CompareAnswer
     from sweetspot.answers.hit import HitAnswer
     from sweetspot.answers.match import MatchAnswer
@@ -308,6 +310,56 @@ def certify(
         sources=AS_USUAL.sources(bat, conditions) if uncertainty else None,
     )
     return certify_answer(question)
+
+
+def certify_paddle(
+    paddle: Loaded,
+    *,
+    league: str | None = None,
+    ball: str | None = None,
+    speed: float | None = None,
+    clamp_inertia: float | None = None,
+    shots: Shots | None = None,
+) -> CertifyPaddleAnswer:
+    """Test a paddle: its paddle-ball restitution in a clamp, other clamps, and the rules of associations.
+
+    Parameters
+    ----------
+    paddle : its name in the catalogue, or its file.
+    league : of the catalogue, or "all" that use the ball; None: that of the sport.
+    ball : its name in the catalogue; None: that of the associations' test at their speed, the sport's own at another.
+    speed : m/s of the ball; None: 60 mph, as in the test.
+    clamp_inertia : kg m^2 about the axis of the clamp; None: 33 kg cm^2, the association's.
+    shots : measured ones, as `read_shots` returns them.
+
+    Raises
+    ------
+    InputError
+        for another implement, or a league or ball that is not known or do not go together.
+
+    >>> import sweetspot
+    >>> answer = sweetspot.certify_paddle("pickleball-paddle")
+    >>> bool(0.37 < answer.test.pbcor.value < 0.43)
+    True
+    """
+    from sweetspot.answers.certify_paddle import (
+        HEAVY_CLAMP,
+        TEST_SPEED,
+        CertifyPaddleQuestion,
+        certify_paddle_answer,
+    )
+    from sweetspot.catalog.rules import leagues_and_ball
+
+    described = paddle.implement
+    if not isinstance(described, Paddle):
+        raise InputError(f"{described.name} is no paddle; its test is another: see certify")
+    game = catalog.sport(described.sport)
+    speed = TEST_SPEED if speed is None else speed
+    if ball is None and abs(speed - TEST_SPEED) > 1e-6:
+        ball = game.balls[0]
+    leagues, fired = leagues_and_ball(league or game.rules, ball)
+    inertia = HEAVY_CLAMP if clamp_inertia is None else clamp_inertia
+    return certify_paddle_answer(CertifyPaddleQuestion(described, leagues, fired, speed, inertia, shots))
 
 
 def paper(bat: Loaded, *, choices: Choices = Choices(), setup: HitSetup = AS_USUAL) -> PaperAnswer:

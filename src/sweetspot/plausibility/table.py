@@ -108,6 +108,8 @@ QUANTITIES: Mapping[str, PlausibleRange] = {
     ),
     "forward": PlausibleRange(-10, 10, "ft"),
     "offset": PlausibleRange(-3, 3, "in", "ball and barrel touch up to about 2.7 in"),
+    "fired_speed": PlausibleRange(10, 100, "mph", "paddles are tested at 50 to 60 mph", (1, 150)),
+    "clamp_inertia": PlausibleRange(0, 100, "kg*cm^2", "light clamps have 5, heavy ones 33 kg cm^2", (0, 1000)),
     "ball_cor": PlausibleRange(0.2, 0.9, "", possible=(0, math.inf)),
     "ball_mass": PlausibleRange(2, 500, "g", why="from table tennis to softball, and some more"),
     "ball_diameter": PlausibleRange(15, 150, "mm"),

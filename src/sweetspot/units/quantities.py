@@ -26,7 +26,7 @@ KINDS: Mapping[Kind, str] = {
     "pressure": "longitudinal_modulus shear_modulus transverse_modulus pressure strength",
     "density": "density air",
     "mass": "mass",
-    "moi": "moi",
+    "moi": "moi clamp_inertia",
     "time": "step period",
     "temperature": "temperature ball_temperature",
     "ratio": (

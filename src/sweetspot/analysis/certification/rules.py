@@ -16,11 +16,12 @@ from sweetspot.dynamics.rigid import RigidBody, moi_doubt
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH, OUNCE
 
-Construction = Literal["any", "wood", "not wood", "not one piece of wood", "composite", "cricket bat"]
+Construction = Literal["any", "wood", "not wood", "not one piece of wood", "composite", "cricket bat", "paddle"]
 Reading = Literal["primary", "secondary", "recalled"]
 SLACK = 1e-6
 """Relative tolerance of a limit, for rounding of units alone."""
@@ -47,9 +48,13 @@ QUANTITIES: dict[str, tuple[str, str]] = {
     "ring_gauge": ("ring gauge", "-"),
     "break_in": ("BBCOR after break-in", "-"),
     "youth_performance": ("performance like wood", "-"),
+    "pbcor": ("PBCoR", "-"),
+    "pef": ("PEF", "-"),
+    "length_and_width": ("length and width together", "m"),
+    "deflection_force": ("force that presses the face in by 1/16 in", "N"),
 }
 """Quantities that a rule can limit: name for people, unit."""
-PERFORMANCE = frozenset({"bbcor", "besr", "bpf", "batted_ball_speed"})
+PERFORMANCE = frozenset({"bbcor", "besr", "bpf", "batted_ball_speed", "pbcor", "pef"})
 """Of these what a test of a bat measures: how lively it is."""
 STATED_FOR: dict[Construction, str] = {
     "any": "every bat",
@@ -58,6 +63,7 @@ STATED_FOR: dict[Construction, str] = {
     "not one piece of wood": "bats that are not made of one piece of wood; this one is",
     "composite": "composite bats",
     "cricket bat": "cricket bats",
+    "paddle": "paddles",
 }
 
 
@@ -212,7 +218,8 @@ def check_rule(rule: Rule, *, bat: Implement, finding: Finding | None) -> Check:
 def applies(rule: Rule, bat: Implement) -> bool:
     """Return whether the source states the rule for a bat of this construction, judged by its barrel."""
     if not isinstance(bat, Bat):
-        return rule.construction == "cricket bat" and isinstance(bat, CricketBat)
+        kind = {"cricket bat": CricketBat, "paddle": Paddle}.get(rule.construction)
+        return kind is not None and isinstance(bat, kind)
     wood = bat.material.family == "wood"
     laminate = bat.material.family == "laminate"
     if bat.shell is not None:
@@ -225,6 +232,7 @@ def applies(rule: Rule, bat: Implement) -> bool:
         "not one piece of wood": not is_one_piece(bat),
         "composite": laminate,
         "cricket bat": False,
+        "paddle": False,
     }
     return stated[rule.construction]
 

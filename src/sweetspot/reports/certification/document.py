@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import fields
+from functools import partial
 from math import hypot
 
 from sweetspot.analysis.certification.rules import Verdict, title
@@ -19,16 +20,13 @@ from sweetspot.reports.bat.provenance import soft_note
 from sweetspot.reports.bat.tables import moment
 from sweetspot.reports.certification.limits_shown import (
     broken_rules,
-    limit_shown,
-    marked_verdict,
     unsure_words,
     value_shown,
 )
+from sweetspot.reports.certification.rules_shown import listed, reasons, rules_table
 from sweetspot.reports.document import (
     Block,
-    Bullets,
     Cell,
-    Cited,
     Column,
     Document,
     Paragraph,
@@ -76,8 +74,6 @@ OTHER_BALL = (
     'The test is with the ball that the rule names [{source}], "{ball}", not with "{own}", which this bat is swung at; '
     "--ball takes that."
 )
-MANY = 14
-"""Rules from which on a printed table is set smaller."""
 
 
 def certificate_document(answer: CertifyAnswer) -> Document:
@@ -96,7 +92,7 @@ def certificate_document(answer: CertifyAnswer) -> Document:
         blocks += _measured(answer.shots, length=answer.implement.length)
     blocks += soft_note(answer.implement.sport, answer.fired)
     if answer.checks:
-        blocks += [_rules(answer), *_listed(_reasons(answer.checks))]
+        blocks += [rules_table(answer.checks, partial(_value, answer)), *listed(reasons(answer.checks))]
     picture = Picture(
         "certify",
         drawn("sweetspot.reports.certification.picture:certification_figure", answer),
@@ -302,7 +298,7 @@ def _measured(shots: MeasuredShots, *, length: float) -> list[Block]:
     if shots.ignored_columns:
         lines.append(f"Columns not used: {', '.join(shots.ignored_columns)}.")
     where = table_head("from the tip: length | shots: count | BBCOR: ratio, 4")
-    return [Table(heading, columns, rows), Table("Places", where, places), *_listed([*lines, *shots.notes])]
+    return [Table(heading, columns, rows), Table("Places", where, places), *listed([*lines, *shots.notes])]
 
 
 def _estimate(name: Words, estimate: Estimate | SpeedEstimate, scale: str = "ratio", digits: int = 4) -> list[Cell]:
@@ -312,48 +308,7 @@ def _estimate(name: Words, estimate: Estimate | SpeedEstimate, scale: str = "rat
     return [name, Slot(estimate.mean, scale, digits), error, say("{low} to {high}", low=low, high=high)]
 
 
-def _rules(answer: CertifyAnswer) -> Table:
-    alone = _only_league(answer.checks)
-    columns = [Column(name) for name in ("league", "rule", "verdict") if name != "league" or alone is None]
-    columns += [Column(name, right=True) for name in ("value", "limit", "margin")]
-    rows: list[list[Cell]] = [
-        [
-            *([check.league] if alone is None else []),
-            check.title,
-            marked_verdict(check.outcome),
-            _value(answer, check),
-            limit_shown(check),
-            value_shown(check.quantity, check.margin, sign=True),
-            Cited(check.source, str(check.year or ""), "" if check.reading == "primary" else check.reading),
-        ]
-        for check in answer.checks
-    ]
-    name = "certified rules" if len(rows) < MANY else "certified rules many"
-    heading = "Rules" if alone is None else f"Rules of {alone}"
-    return Table(heading, [*columns, Column("source")], rows, name=name)
-
-
 def _value(answer: CertifyAnswer, check: RuleCheck) -> Sentence:
     if check.quantity == "moi" and check.value is not None:
         return moment(check.value, moi_doubt(answer.implement, answer.body, CLAMP))
     return value_shown(check.quantity, check.value)
-
-
-def _only_league(checks: Sequence[RuleCheck]) -> str | None:
-    """Return the league's name, if all rules are of one."""
-    names = {check.league_name for check in checks}
-    return names.pop() if len(names) == 1 else None
-
-
-def _listed(lines: Sequence[str]) -> list[Block]:
-    return [Bullets(lines)] if lines else []
-
-
-def _reasons(checks: Sequence[RuleCheck]) -> list[str]:
-    """Return why a rule is not a plain pass or fail."""
-    alone = _only_league(checks)
-    return [
-        f"{check.title}{'' if alone else f' ({check.league_name})'}: {check.outcome.words}: {check.reason}."
-        for check in checks
-        if check.reason
-    ]

@@ -10,7 +10,13 @@ from sweetspot.numerics.interval import Number
 from sweetspot.reports.document import Marked
 from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say
 
-SCALES = {"m": ("length", 3), "m/s": ("speed", 1), "kg m^2": ("moi", None), "in - oz": ("ratio", 2)}
+SCALES = {
+    "m": ("length", 3),
+    "m/s": ("speed", 1),
+    "kg m^2": ("moi", None),
+    "in - oz": ("ratio", 2),
+    "N": ("tension", 0),
+}
 """Scale and digits of what rules limit, by its unit; every other is a ratio with four digits."""
 
 MARKS: dict[Verdict, str] = {Verdict.PASS: "hit", Verdict.FAIL: "missed"}
