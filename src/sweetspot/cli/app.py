@@ -58,7 +58,7 @@ CATALOGUE: Mapping[str, tuple[str, ...]] = {
 EXAMPLES: Mapping[str, tuple[str, ...]] = {**COMMANDS, **CATALOGUE, **PAGE}
 GROUPS: Mapping[str, tuple[str, ...]] = {
     "Start here": ("report", "hit", "compare", "app", "bats", "sports"),
-    "My bat": ("outline", "tap", "pendulum", "calibrate", "rank", "match", "design"),
+    "My bat": ("outline", "tap", "pendulum", "calibrate", "calibrate-ball", "rank", "match", "design"),
     "Players and seasons": ("fit-player", "play", "fly", "optimum", "season", "parks"),
     "Rules": ("certify",),
     "Physics, and where it comes from": ("paper", "drop", "validate", "show", "schema", "prepare"),
@@ -95,10 +95,11 @@ MODULES = {
     **dict.fromkeys(PAGE, "page_command"),
 }
 PATHS = {name: f"sweetspot.cli.{module}:{name.replace('-', '_')}" for name, module in MODULES.items()}
-for order, (title, commands) in enumerate(GROUPS.items()):
-    group = Group(title, sort_key=order)
-    for place, name in enumerate(commands):
-        app.command(PATHS[name], name=name, group=group, sort_key=place, help_epilogue=_foot(name))
+PLACES = {name: (title, place) for title, names in GROUPS.items() for place, name in enumerate(names)}
+HEADS = {title: Group(title, sort_key=order) for order, title in enumerate(GROUPS)}
+for name, path in PATHS.items():
+    title, place = PLACES[name]
+    app.command(path, name=name, group=HEADS[title], sort_key=place, help_epilogue=_foot(name))
 app.register_install_completion_command(
     help="Let the shell complete commands and options, by default the shell that runs."
 )

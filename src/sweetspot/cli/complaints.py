@@ -95,6 +95,19 @@ FORMATS = {"--json": ("--format", "json"), "--csv": ("--format", "csv")}
 """Of any command: answers at hand."""
 SHORT = {**FORMATS, "-": ("/dev/stdin",)}
 """And standard input as the file."""
+OTHER_NAMES = {
+    "--exit-velocity": "--exit-speed",
+    "--bat-velocity": "--bat-speed",
+    "--swing-speed": "--bat-speed",
+    "--pitch-velocity": "--pitch-speed",
+    "--altitude": "--elevation",
+    "--temp": "--temperature",
+    "--weight": "--mass",
+    "--ballpark": "--park",
+    "-o": "--out",
+}
+"""Of options, as people call them who bring other programs' words; no command has an option of such a name."""
+OTHER_UNITS = {"metric": "si", "imperial": "us"}
 ASIDE = {"help": "--help", "version": "--version", "-v": "--version", "-V": "--version"}
 """In a command's place."""
 SURE = "--uncertainty"
@@ -114,13 +127,22 @@ def understood(given: Sequence[str]) -> list[str]:
 
     >>> understood(["bats", "--json"]), understood(["help", "hit"]), understood(["version"])
     (['bats', '--format', 'json'], ['hit', '--help'], ['--version'])
+    >>> understood(["fly", "--exit-velocity=103mph", "--altitude", "5200ft", "--units", "metric"])
+    ['fly', '--exit-speed=103mph', '--elevation', '5200ft', '--units', 'si']
     """
     if ("--out", "-") in pairwise(given):
         raise InputError("--out takes a name; without it the answer goes to standard output")
     if given and given[0] in ASIDE:
         command = given[1:2] if given[0] == "help" else ()
         return [*command, ASIDE[given[0]]]
-    return [word for each in given for word in SHORT.get(each, (each,))]
+    words = [word for each in given for word in SHORT.get(each, (each,))]
+    for place, word in enumerate(words):
+        name, equals, value = word.partition("=")
+        name = OTHER_NAMES.get(name, name)
+        if name == "--units" or words[place - 1] == "--units":
+            name, value = OTHER_UNITS.get(name, name), OTHER_UNITS.get(value, value)
+        words[place] = f"{name}{equals}{value}"
+    return words
 
 
 def uncounted(given: Sequence[str]) -> str:
