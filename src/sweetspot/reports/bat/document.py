@@ -19,7 +19,7 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Interval
-from sweetspot.reports.bat.provenance import known_misses
+from sweetspot.reports.bat.provenance import assumed_wall, known_misses
 from sweetspot.reports.bat.tables import (
     along_table,
     conditions_table,
@@ -52,6 +52,7 @@ def report_document(report: ReportAnswer) -> Document:
             *(Paragraph(words) for words in answer_words(report)),
             *(Paragraph(words) for words in remarks(bat)),
             *known_misses(bat),
+            *assumed_wall(bat, report.greatest_efficiency, float(report.best_hit.bbcor)),
             overview,
             *([] if report.uncertainty is None else [how_sure(report.uncertainty, "best exit speed")]),
         ],

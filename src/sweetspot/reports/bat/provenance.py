@@ -7,19 +7,23 @@ from typing import Any
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.catalog.balls import ball
+from sweetspot.catalog.bats import wall_pattern
 from sweetspot.catalog.files.ball import BALLS
 from sweetspot.catalog.implements import implement, implement_tables
 from sweetspot.catalog.materials import FILE as MATERIAL_FILE
 from sweetspot.catalog.materials import RUBBERS, material
 from sweetspot.catalog.records import Record, all_records, read_table
+from sweetspot.catalog.rules import league
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.table_tennis_racket import Rubber, TableTennisRacket
 from sweetspot.motion.swing import Conditions
+from sweetspot.numerics.interval import Number
 from sweetspot.reports.document import Block, Paragraph
-from sweetspot.reports.sentences import Sentence, joined, say
+from sweetspot.reports.sentences import Sentence, Slot, joined, say
 from sweetspot.reports.sport_words import in_words, words_of
 
 MECHANICS = ("nathan2000", "nathan2003", "cross1998", "cowper1966", "astm_f2398", "astm_f2219", "griffin2012")
@@ -207,6 +211,40 @@ def known_misses(implement: Implement, from_tip: float | None = None) -> list[Bl
         for miss in misses
         if from_tip is None or miss.nearest <= from_tip <= miss.farthest
     ]
+
+
+def assumed_wall(implement: Implement, efficiency: Number | None = None, bbcor: float = 0.0) -> list[Block]:
+    """Return that a hollow bat's walls are the catalogue's and were not measured; nothing of any other implement.
+
+    Parameters
+    ----------
+    efficiency, bbcor : the greatest q of a bat, and BBCOR at its best place. If a baseball bat is livelier than both
+        the limit of 1999 and today's, the note says so.
+    """
+    if not isinstance(implement, Bat) or (pattern := wall_pattern(implement)) is None:
+        return []
+    note = say(
+        "Its walls are those of the catalogue's {pattern}: assumed, not measured, and how fast a hollow bat hits rests "
+        "on them.",
+        pattern=pattern,
+    )
+    former, today = _limit("ncaa-1999", "besr") - 0.5, _limit("ncaa", "bbcor")
+    if efficiency is None or implement.sport != "baseball" or float(efficiency) <= former or bbcor <= today:
+        return [Paragraph(note, "warning")]
+    beyond = say(
+        "With q up to {most} it breaks the limit that colleges set in 1999, {former}, and every later one. A metal bat "
+        "made to a limit has thicker walls and hits slower.",
+        most=Slot(efficiency, "ratio", 3),
+        former=Slot(former, "ratio", 3),
+    )
+    return [Paragraph(joined([note, beyond], " "), "warning")]
+
+
+def _limit(name: str, quantity: str) -> float:
+    """Return the most that a league allows of a quantity."""
+    (most,) = (rule.most for rule in league(name).rules if rule.quantity == quantity)
+    assert most is not None
+    return most
 
 
 def soft_note(sport_name: str, ball: Ball) -> list[Block]:

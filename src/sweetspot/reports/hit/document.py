@@ -13,7 +13,7 @@ from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Number
-from sweetspot.reports.bat.provenance import known_misses, soft_note
+from sweetspot.reports.bat.provenance import assumed_wall, known_misses, soft_note
 from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, drawn, values_table
 from sweetspot.reports.quantities import ENERGY_NAMES
 from sweetspot.reports.sentences import Sentence, Slot, Span, UnitName, joined, say
@@ -46,6 +46,7 @@ def hit_document(answer: HitAnswer) -> Document:
             *map(Paragraph, by_ball(answer.exit_speed_half_by_ball, answer.exit_speed_half_by_kind, words)),
             *_doubts(impact, words),
             *known_misses(implement, implement.length - impact.position),
+            *assumed_wall(implement),
             *in_hands(answer.exit_speed, answer.exit_speed_in_hands, words),
             *_damage_blocks(answer.damage, words),
             *soft_note(implement.sport, conditions.ball),
