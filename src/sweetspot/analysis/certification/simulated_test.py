@@ -108,6 +108,8 @@ class Certification(ShownInNotebooks):
     other_patches : both tests again with the smallest and the largest patch that a ball can press (`PATCH_SPREAD`).
     other_laws : both tests again with as little and as much of the ball's loss by the rate as the evidence allows
         (`Ball.with_law`); none where its law was not asked.
+    other_stiffnesses : both tests again with as soft and as hard a ball as is possible (90 %); none where its stiffness
+        has no spread.
     other_mois : both tests again with the ends of the 90 % interval of the moment of inertia; none where it was
         measured.
     other_walls : both tests again with a thinner and a thicker wall of the barrel; none where it was measured.
@@ -121,6 +123,7 @@ class Certification(ShownInNotebooks):
     slow: BatTest
     other_patches: tuple[tuple[BatTest, BatTest], ...] = ()
     other_laws: tuple[tuple[BatTest, BatTest], ...] = ()
+    other_stiffnesses: tuple[tuple[BatTest, BatTest], ...] = ()
     other_mois: tuple[tuple[BatTest, BatTest], ...] = ()
     other_walls: tuple[tuple[BatTest, BatTest], ...] = ()
 
@@ -155,8 +158,16 @@ class Certification(ShownInNotebooks):
 
     @property
     def law_spreads(self) -> dict[str, tuple[float, float]]:
-        """The same for what the law of the ball leaves open, by which it loses its energy (90 %); {}: nothing."""
-        return self._spreads(((self.fast, self.slow), *self.other_laws)) if self.other_laws else {}
+        """The same for what the law of the ball leaves open (90 %); {}: nothing.
+
+        How it loses its energy, and how hard it is, as independent.
+        """
+        parts = [
+            self._spreads(((self.fast, self.slow), *tests))
+            for tests in (self.other_laws, self.other_stiffnesses)
+            if tests
+        ]
+        return {name: self._independent(name, [part[name] for part in parts]) for name in self.spreads if parts}
 
     @property
     def moi_spreads(self) -> dict[str, tuple[float, float]]:
@@ -176,22 +187,23 @@ class Certification(ShownInNotebooks):
         """Return the measures in the form that rules take; a best place at an end of the scan is inconclusive."""
         doubt = "the greatest BBCOR lies at an end of the scan and may be greater beyond" if self.fast.at_edge else ""
         unknown = ["the size of the ball's patch"]
-        unknown += ["the law of the ball"] if self.other_laws else []
+        unknown += ["the law of the ball"] if self.law_spreads else []
         unknown += ["a moment of inertia that was not measured"] if self.other_mois else []
         unknown += ["a wall that was not measured"] if self.other_walls else []
         listed = " and ".join(part for part in (", ".join(unknown[:-1]), unknown[-1]) if part)
         by = f"what {listed} leave{'s' if len(unknown) == 1 else ''} open"
         return {
-            name: Finding(value := getattr(self, name), doubt, self._together(name, value), interval_is=by)
-            for name in self.spreads
+            name: Finding(getattr(self, name), doubt, self._together(name), interval_is=by) for name in self.spreads
         }
 
-    def _together(self, name: str, value: float) -> tuple[float, float] | None:
+    def _together(self, name: str) -> tuple[float, float] | None:
         """Return between which a measure lies by patch, law, moment of inertia and wall together, as independent."""
         every = (self.spreads, self.law_spreads, self.moi_spreads, self.wall_spreads)
-        ranges = [spreads[name] for spreads in every if spreads]
-        if not self.other_patches:
-            return None
+        return self._independent(name, [each[name] for each in every if each]) if self.other_patches else None
+
+    def _independent(self, name: str, ranges: list[tuple[float, float]]) -> tuple[float, float]:
+        """Return between which a measure lies by doubts that are independent."""
+        value = float(getattr(self, name))
         below, above = (hypot(*(value - each[end] for each in ranges)) for end in (0, 1))
         return value - below, value + above
 
@@ -275,9 +287,12 @@ def certify(bat: Bat, *, ball: Ball, wall_doubt: float = 0.0) -> Certification:
     patches = tuple(both(modes, body) for modes in others)
     ends = [ball.with_law(end) for end in (-1.0, 1.0)] if ball.law_ends is not None else []
     laws = tuple(both(all_modes(beam, end), body, end) for end in ends)
+    harder = 0.0 if ball.spread is None else ball.spread.stiffness
+    balls = [ball.deviated({"stiffness": change}) for change in (-harder, harder) if change]
+    stiffnesses = tuple(both(all_modes(beam, other), body, other) for other in balls)
     mois = tuple(both(_bending_as(usual, turned), rigid_body(turned)) for turned in turning)
     thicknesses = tuple(both(all_modes(wall, ball), rigid_body(wall)) for wall in walls)
-    return Certification(bat, ball, body, swung, *both(usual, body), patches, laws, mois, thicknesses)
+    return Certification(bat, ball, body, swung, *both(usual, body), patches, laws, stiffnesses, mois, thicknesses)
 
 
 def _bending_as(modes: Modes, beam: BeamModel) -> Modes:

@@ -42,9 +42,9 @@ from sweetspot.reports.uncertainty import chance_words, how_sure
 NORMALISED_NOTE = " The ball is the catalogue's; a test normalises to one."
 PATCH_NOTE = "By the ball: with the smallest and the largest patch through which it can push." + NORMALISED_NOTE
 BALL_NOTE = (
-    "By the ball: with the smallest and the largest patch through which it can push, and with as little and as much of "
-    "its loss going with the rate at which it is pressed as the evidence allows (90 %), which hardly matters on wood."
-    + NORMALISED_NOTE
+    "By the ball: with the smallest and the largest patch through which it can push, with as little and as much of its "
+    "loss going with the rate at which it is pressed, and as soft and as hard, as the evidence allows (90 %). On wood "
+    "none of it matters much." + NORMALISED_NOTE
 )
 MOI_NOTE = (
     "By the MOI: it was not measured but follows from the outline, and ± is half of its 90 % interval. A bat that "
