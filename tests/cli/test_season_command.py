@@ -248,3 +248,17 @@ def test_columns_are_shown(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     assert run(table, "--show-columns") == 0
     shown = capsys.readouterr().out
     assert "Statcast, 30 rows" in shown and "launch_speed [mph]" in shown and "passed through: umpire" in shown
+
+
+def test_every_ball_as_csv_is_every_ball_of_the_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    made_up().with_columns(umpire=pl.lit("=1+1")).write_csv(tmp_path / "table.csv")
+    with pytest.raises(SystemExit, match=r"^0$"):
+        main(["season", str(tmp_path / "table.csv"), "--flight-only", "--out", str(tmp_path / "out"), "--balls-csv"])
+    written = pl.read_csv(tmp_path / "out" / "balls.csv", infer_schema_length=None)
+    balls = pl.read_parquet(tmp_path / "out" / "balls" / "*.parquet")
+    assert written.columns == balls.columns and len(written) == len(balls)
+    assert written["carry_ft"].to_list() == pytest.approx(balls["carry_ft"].to_list(), rel=1e-6)
+    assert set(written["umpire"]) == {"'=1+1"}
+    with pytest.raises(SystemExit, match=r"^2$"):
+        main(["season", str(tmp_path / "table.csv"), "--balls-csv"])
+    assert "--balls-csv needs --out" in capsys.readouterr().err

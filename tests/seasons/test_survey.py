@@ -620,13 +620,6 @@ def test_parks_that_nobody_knows_are_named_with_their_rows(table: Write) -> None
     assert (found.count, found.rows[:3], found.detail) == (20, [3, 6, 9], "Yomiuri")
 
 
-def test_home_runs_in_a_park_that_is_too_high_are_doubted(table: Write) -> None:
-    frame = made_up().with_columns(home_team=pl.Series(["BOS", "COL", None] * 20))
-    (found,) = (one for one in look(table(frame=frame)).warnings if one.name == "thin air")
-    assert (found.count, found.rows[:3], found.detail) == (20, [3, 6, 9], "Coors Field")
-    assert not warned(look(table(frame=frame.drop("launch_angle"))), "thin air")
-
-
 def test_what_no_column_tells_of_bunts_and_spin_is_said(table: Write) -> None:
     frame = made_up()
 

@@ -73,7 +73,8 @@ TRAPS: dict[str, Trap] = {
     "pitch speed unknown": (lambda: made_up().drop("vx0", "vy0", "vz0").with_columns(
         release_speed=pl.when(ROW > 1).then("release_speed")), 2, [2, 3]),
     "selected": (changed(60, events="home_run"), 60, ALL),
-    "thin air": (made_up, 20, [3, 6, 9]),  # Denver's
+    "not measured": (lambda: made_up().with_columns(
+        hit_landing_confidence=pl.when(ROW < 2).then(pl.lit("Low")).otherwise(pl.lit("High"))), 2, [2, 3]),
     "unknown park": (changed(2, home_team="Yomiuri"), 2, [2, 3]),
 }  # fmt: skip
 """By the warning: a table that walks into the trap, how many rows it concerns, and the first of them."""
@@ -131,10 +132,10 @@ def test_a_table_of_which_most_cannot_be_is_refused(change: dict[str, Any], word
 
 
 def test_a_table_without_traps_has_few_warnings(tmp_path: Path) -> None:
-    """So that the others are of what was changed: its gaps of days, whose name stands there, and balls in Denver."""
+    """So that the others are of what was changed: its gaps of days, and whose name stands there."""
     made_up().write_csv(tmp_path / "table.csv")
     season = analyse_season([tmp_path / "table.csv"], setting=season_setting(contact=False), folder=tmp_path / "out")
-    assert {one.name for one in season.survey.warnings} == {"days missing", "name of the pitcher", "thin air"}
+    assert {one.name for one in season.survey.warnings} == {"days missing", "name of the pitcher"}
 
 
 def test_the_page_lists_every_trap() -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 from sweetspot.seasons.survey import Survey
 from sweetspot.seasons.table_file import TableWarning
 
-SEVERAL = ("part off", "headings", "unit", "swapped", "empty column", "thin air")
+SEVERAL = ("part off", "headings", "unit", "swapped", "empty column", "not measured")
 """Warnings that one table may have several of: they are apart by what exactly is the matter."""
 DETAILS = 3
 """Details of one caution that are listed, where its tables differ."""

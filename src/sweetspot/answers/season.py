@@ -24,6 +24,8 @@ from sweetspot.numerics.interval import Interval
 from sweetspot.seasons.ball_maps import is_home_run, known_sum
 from sweetspot.seasons.batters import unknown_batter
 from sweetspot.seasons.contact import ContactSetting
+from sweetspot.seasons.home_run_table import EDGES as HOME_RUN_EDGES
+from sweetspot.seasons.home_run_table import HomeRunsOf, home_run_tail, home_runs_by
 from sweetspot.seasons.place_relation import SCALE, PlaceRelation
 from sweetspot.seasons.plan import Plan, Progress
 from sweetspot.seasons.pooling import Spread
@@ -145,6 +147,7 @@ class SeasonMeans:
     home_runs, home_runs_expected : that were hit, and with the drag that balls fly with in the parks they were hit in.
     home_runs_by_drag : expected, with what is not known of the season's own drag; absent where the law's was used.
     home_runs_with_usual_drag : expected with the law's drag; absent where that was used.
+    home_runs_tail : probability of so few home runs or fewer, or so many or more, whichever is smaller.
     from_best : mean distance from the best place along the bat.
     squared_up, league_squared_up : parts of the balls, against the bat and by the league's formula.
     squared_up_balls, league_squared_up_balls : of how many.
@@ -162,6 +165,7 @@ class SeasonMeans:
     squared_up_of_the_same: float | None
     home_runs_by_drag: Interval | None = None
     home_runs_with_usual_drag: float | None = None
+    home_runs_tail: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -182,6 +186,7 @@ class SeasonAnswer(Answer):
     drag : by the distances, over the law's, of all balls and of each month.
     own_drag : that the balls fly with; None: the law's, or one that was given.
     left_over : tracked distance less carry, by what balls are compared by.
+    home_runs_by : expected and hit, by launch angle, direction to the pull side and chance.
     scatter : how balls and groups scatter, by grouping and measure.
     rare_shares : measures that rest on so few of a kind that their intervals hold less than they say, by grouping.
     cannot_tell : what the tables leave open.
@@ -203,6 +208,7 @@ class SeasonAnswer(Answer):
     drag: tuple[DragOfMonth, ...]
     own_drag: OwnDrag | None
     left_over: Mapping[str, tuple[LeftOver, ...]]
+    home_runs_by: Mapping[str, tuple[HomeRunsOf, ...]]
     scatter: Mapping[str, Mapping[str, Spread]]
     rare_shares: Mapping[str, Sequence[str]]
     cannot_tell: tuple[str, ...]
@@ -324,6 +330,7 @@ def _summarised(question: SeasonQuestion, season: Season) -> SeasonAnswer:
         drag=drag,
         own_drag=season.own_drag,
         left_over={kind: left_over_by(drawn, kind) for kind in EDGES},
+        home_runs_by={kind: home_runs_by(counted, kind) for kind in HOME_RUN_EDGES},
         scatter={key: standing.spreads for key, standing in standings.items()},
         rare_shares={key: rare_shares(standing) for key, standing in standings.items()},
         cannot_tell=cannot_tell(survey.tables),
@@ -379,7 +386,11 @@ def _league(counted: pl.LazyFrame, drag: OwnDrag | None, balls: int) -> SeasonMe
         with_own = home_runs_with(counted, drag=1.0, error=drag.error / drag.drag)
         with_usual = home_runs_with(counted, drag=1 / drag.drag)
     usual = None if with_usual is None else with_usual.value
-    return SeasonMeans(balls=balls, **row, home_runs_by_drag=with_own, home_runs_with_usual_drag=usual)
+    hit, expected = row["home_runs"], row["home_runs_expected"]
+    tail = None if hit is None or expected is None else home_run_tail(hit, expected)
+    return SeasonMeans(
+        balls=balls, **row, home_runs_by_drag=with_own, home_runs_with_usual_drag=usual, home_runs_tail=tail
+    )
 
 
 def _row_of(players: pl.DataFrame, batter: str) -> int:

@@ -123,6 +123,9 @@ class WorkOptions:
     resume: Annotated[
         bool, Parameter(negative="", help="Keep answers that are in --out already and of the same plan.")
     ] = False
+    balls_csv: Annotated[
+        bool, Parameter(negative="", help="Also write every ball with all answers as CSV, balls.csv in --out.")
+    ] = False
     workers: Annotated[
         int, Parameter(help="Processes that share the work (needs Dask, sweetspot[cluster]); 0: this one alone.")
     ] = 0
@@ -140,6 +143,8 @@ class WorkOptions:
         """Why --out must be given; "": it need not."""
         if self.resume:
             return "--resume needs --out, the folder that holds the answers so far"
+        if self.balls_csv:
+            return "--balls-csv needs --out, the folder for balls.csv"
         if self.workers or self.scheduler:
             return "--workers and --scheduler need --out, the folder that all of them write to"
         return ""
@@ -196,7 +201,7 @@ def season(
     try:
         with progress("season") as report:
             answer = season_answer(question, run=run, progress=report)
-        return _presented(answer, output)
+        return _presented(answer, output, balls_csv=work.balls_csv)
     except KeyboardInterrupt:
         if output.out is None:
             raise
@@ -204,12 +209,20 @@ def season(
         raise KeyboardInterrupt(words) from None
 
 
-def _presented(answer: SeasonAnswer, output: OutputOptions) -> int:
+def _presented(answer: SeasonAnswer, output: OutputOptions, *, balls_csv: bool) -> int:
     from sweetspot.cli.output import present
-    from sweetspot.reports.season.document import player_page, season_document, unread_of, write_tables
+    from sweetspot.reports.season.document import (
+        player_page,
+        season_document,
+        unread_of,
+        write_balls,
+        write_tables,
+    )
 
     if output.out is not None:
         written = write_tables(answer, output.out)
+        if balls_csv:
+            written.append(write_balls(answer, output.out))
         tables = f"; {', '.join(written)}" if written else ""
         print(f"sweetspot: wrote {output.out}: folders balls, ledger, counted{tables}", file=sys.stderr)
     player = answer.question.player

@@ -138,6 +138,7 @@ TRACKED: Mapping[str, PlausibleRange] = {
     "plate_height": PlausibleRange(-15, 15, "ft", why="pitches that bounce are extrapolated below the ground"),
     "distance": PlausibleRange(0, 700, "ft", why="the longest home runs reach 505 ft in data, 575 ft in tales"),
     "hang_time": PlausibleRange(0, 15, "s"),
+    "swing_length": PlausibleRange(0.5, 20, "ft", why="leagues list 5.9 to 9 ft on average"),
     "map_position": PlausibleRange(-100, 400, "m", why="coordinates on the scorer's map"),
     "velocity": PlausibleRange(-200, 200, "mph", why="components of a tracked velocity"),
     "acceleration": PlausibleRange(-300, 300, "ft/s^2", why="components; gravity is 32 and drag at most as much again"),

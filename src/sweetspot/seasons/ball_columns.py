@@ -269,6 +269,8 @@ def _others(contact: Contacts) -> Iterator[tuple[OutputColumn, Array | Categorie
         yield from zip(columns_of_other(name), three, strict=True)
 
 
+FAST_SWING = 75 * MPH
+"""Bat speed from which on the league calls a swing fast [statcast]."""
 CENTRED, LINED_UP = 4 * INCH, 2 * INCH
 """m from the best place along the bat and above or below its axis, within which the league calls a ball centred and
 lined up [statcast_contact_point]."""
@@ -297,7 +299,11 @@ def counted_rows(rows: pl.DataFrame, answers: Answers, headings: Headings) -> pl
         "carry_above": answers.carry_above,
         "home_runs_in_30": flown.home_runs,
         "home_run_kind": answers.home_run_kind.astype(float),
+        "fast_swing": np.where(np.isnan(balls.bat_speed), np.nan, balls.bat_speed >= FAST_SWING),
+        "pull": np.where(balls.sided, np.where(balls.left, balls.bearing, -balls.bearing), np.nan),
     }
+    if headings.has("swing_length"):
+        measured["swing_length"] = rows["swing_length"].fill_null(np.nan).to_numpy()
     contact = answers.contact
     if contact is not None:
         result = contact.results

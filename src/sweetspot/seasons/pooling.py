@@ -27,7 +27,7 @@ import numpy as np
 import polars as pl
 
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.interval import ENDS, REACH
+from sweetspot.numerics.interval import ENDS, REACH, Interval
 
 NODES = 24
 """Values that are summed over; two to three within a standard deviation of tau."""
@@ -162,6 +162,8 @@ GREATEST_SPREAD = 6.0
 """Greatest tau over what groups' means scatter by that is summed over."""
 BALLS, MEAN, SQUARES = "balls", "mean", "squares"
 """Columns of what is added up of groups."""
+FEWEST_BALLS = 5.0
+"""Balls of a group below which nothing is said of reliability [our choice]."""
 FEWEST_GROUPS = 5
 """Groups below which nothing is known of how groups differ, and nothing is pooled."""
 POSITIVE: Bounds = (0.0, np.inf)
@@ -173,7 +175,8 @@ class Spread:
     """The scatter of balls and groups.
 
     ``mean``: mu, of the groups. ``within``, ``between``: sigma^2 and tau^2; NaN where nothing tells of them: sigma with
-    one ball a group, tau also with fewer than `FEWEST_GROUPS`.
+    one ball a group, tau also with fewer than `FEWEST_GROUPS`. ``mean_balls``: of a group, by moments.
+    ``variance_ratio``: F, the mean square between groups over that within.
     """
 
     mean: float
@@ -181,6 +184,29 @@ class Spread:
     between: float
     balls: int
     groups: int
+    mean_balls: float = np.nan
+    variance_ratio: float = np.nan
+
+    def reliability_interval(self, count: float) -> Interval | None:
+        """Return R at a number of balls with its 90 % interval; None where a group has too few balls to tell.
+
+        With F the mean square between groups over that within, F / (1 + n tau^2 / sigma^2) has the F distribution, for
+        normal balls and groups of n each. So (tau / sigma)^2 lies between (F / F_95 - 1) / n and (F / F_5 - 1) / n.
+        Groups of unlike size count as so many balls each as their moments do, `mean_balls`.
+
+        >>> Spread(0.0, 9.0, 1.0, 57, 19, 3.0, 1.3).reliability_interval(34) is None
+        True
+        """
+        from scipy.special import fdtri
+
+        if self.groups < FEWEST_GROUPS or not (self.mean_balls >= FEWEST_BALLS and self.variance_ratio >= 0):
+            return None
+        freedom = self.groups - 1.0, float(self.balls - self.groups)
+        low, high = (
+            max(self.variance_ratio / float(fdtri(*freedom, part)) - 1, 0.0) / self.mean_balls for part in ENDS[::-1]
+        )
+        value = float(self.reliability(count))
+        return Interval(value, *(count * ratio / (1 + count * ratio) for ratio in (low, high)))
 
     def reliability(self, count: Array | float) -> Array:
         """Return R at some numbers of balls, NaN where nothing tells how groups differ.
@@ -205,9 +231,13 @@ def spread_of(counts: Array, means: Array, squares: Array) -> Spread:
     if groups < FEWEST_GROUPS or np.isnan(within):
         return Spread(grand, within, np.nan, int(total), groups)
     scatter = np.sum(counts * (means - grand) ** 2) - (groups - 1) * within
-    between = max(scatter / (total - np.sum(counts**2) / total), 0.0)
+    weight = total - np.sum(counts**2) / total
+    between = max(scatter / weight, 0.0)
     weights = 1 / np.maximum(between + within / counts, 1e-300)
-    return Spread(float(np.average(means, weights=weights)), within, float(between), int(total), groups)
+    each, ratio = float(weight / (groups - 1)), np.nan
+    if within > 0:
+        ratio = 1 + float(scatter) / ((groups - 1) * within)
+    return Spread(float(np.average(means, weights=weights)), within, float(between), int(total), groups, each, ratio)
 
 
 def pooled(

@@ -35,6 +35,7 @@ SPORT = "baseball"
 POSSIBLE: Mapping[str, tuple[float, float]] = {
     **{name: fine(name, SPORT) for name in ("attack_direction", "axial_offset", "plate_side", "plate_height")},
     **{name: fine(name, SPORT) for name in ("distance", "hang_time", "temperature", "pressure", "humidity")},
+    "swing_length": fine("swing_length", SPORT),
     "elevation": fine("elevation", SPORT),
     **{name: fine(f"tracked_{name}") for name in ("attack_angle", "tilt", "launch_direction", "bearing")},
     **{name: (fine(name, SPORT)[0], bounds(name, SPORT).can_be[1]) for name in ("bat_speed", "release_speed")},
@@ -64,8 +65,13 @@ IN_PLAY = "in ?play|hit_into_play"
 FOUL, TIP = "foul", "foul.?tip"
 BUNTED = ("event", "words", "batted_type", "description")
 """Quantities that may report a bunt."""
-REASONED = ("exit_speed", "launch_angle", "description", "result_type", *BUNTED)
+REASONED = ("exit_speed", "launch_angle", "description", "result_type", "launch_confidence", *BUNTED)
 """Quantities that a row's reason hangs on."""
+UNSURE: Mapping[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "launch_confidence": (("estimated",), ("exit_speed", "launch_angle", "launch_direction")),
+    "landing_confidence": (("low", "estimated", "undefined"), ("distance", "hang_time")),
+}
+"""Confidences of a radar: words that say that it did not measure something, and what that is then missing."""
 SIDED, DATED = ("bats", "bats_left"), ("date", "year")
 """Quantities that tell the batter's side, and the day and season."""
 MISSING = {"left": pl.Boolean, "day": pl.Date}
@@ -95,7 +101,7 @@ def rows_of(frame: pl.DataFrame, headings: Headings, *, first: int = 0) -> pl.Da
         ),
     ).with_columns(*(text.column.alias(name) for name, text in words.items()))
     lost = [name for name in selected.columns if name.startswith("lost ")]
-    selected, beyond = _possible(selected)
+    selected, beyond = _possible(_measured(selected))
     read_out = {name: words[of].turned(change) for name, (of, change) in _conversions(headings).items()}
     return (
         selected.with_row_index("row", offset=first)
@@ -177,6 +183,25 @@ def tidy(text: pl.Expr) -> pl.Expr:
     """Return texts without blanks about them and without the ``.0`` of whole numbers; `ABSENT` ones are missing."""
     plain = text.str.strip_chars().str.replace(r"^(\d+)\.0$", "$1")
     return pl.when(~plain.is_in(ABSENT)).then(plain)
+
+
+def _measured(rows: pl.DataFrame) -> pl.DataFrame:
+    """Return rows without what the table itself says was guessed."""
+    for confidence, (_, quantities) in UNSURE.items():
+        if confidence in rows.columns:
+            guessed = rows.select(is_unsure(confidence)).to_series()
+            held = [name for name in quantities if name in rows.columns]
+            rows = rows.with_columns(pl.when(~guessed).then(pl.col(name)).alias(name) for name in held)
+    return rows
+
+
+def is_unsure(confidence: str) -> pl.Expr:
+    """Return whether a table says that the launch or the landing of a ball was not measured.
+
+    ``confidence``: a key of `UNSURE`.
+    """
+    words, _ = UNSURE[confidence]
+    return pl.col(confidence).str.to_lowercase().is_in(words).fill_null(value=False)
 
 
 def _possible(rows: pl.DataFrame) -> tuple[pl.DataFrame, pl.Expr]:

@@ -57,8 +57,8 @@ from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns, Headings
 
 DRAG_FROM = 40_000
 """Balls with a distance that the season's drag is learnt from, at most."""
-PLACED = ("home_team", "park", "game_kind", "game", "event")
-"""Quantities that tell where and when a ball was hit, and how it ended."""
+PLACED = ("home_team", "park", "game_kind", "game", "event", "landing_confidence")
+"""Quantities that tell where and when a ball was hit, how it ended, and whether its landing was measured."""
 MOST_PARTS = 16
 """Parts of all tables that the relation of places is learnt from, at most."""
 

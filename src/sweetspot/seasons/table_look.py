@@ -19,7 +19,19 @@ from sweetspot.flight.bearing import bearing_of_place
 from sweetspot.plausibility import PlausibleRange, bounds
 from sweetspot.seasons.balls import ELSEWHERE, FIRST_MIDDLE_SEASON, home_park
 from sweetspot.seasons.duplicates import tells_pitches, with_duplicates
-from sweetspot.seasons.rows import BUNTED, DATED, POSSIBLE, REASONED, REASONS, SIDED, TIP, USED, by_value
+from sweetspot.seasons.rows import (
+    BUNTED,
+    DATED,
+    POSSIBLE,
+    REASONED,
+    REASONS,
+    SIDED,
+    TIP,
+    UNSURE,
+    USED,
+    by_value,
+    is_unsure,
+)
 from sweetspot.seasons.table_file import TableFile, TableWarning
 from sweetspot.tables.headings import Headings, TableColumn
 from sweetspot.tables.vocabulary import FAHRENHEIT_ZERO, UNITS
@@ -123,7 +135,7 @@ def exchanged(some: pl.DataFrame, columns: Mapping[str, TableColumn]) -> str:
     return ""
 
 
-LOOKED_AT = (*POSSIBLE, "home_team", "park", "game_kind", *REASONED, *SIDED, *DATED)
+LOOKED_AT = (*POSSIBLE, "home_team", "park", "game_kind", *UNSURE, *REASONED, *SIDED, *DATED)
 """Quantities that the first look asks of every row; of the others only whether they hold anything."""
 AGAIN, AGAIN_PART = 5, 0.005
 """Balls of a part of a table that have the very same exit speed and angle, at least, and their part of it: tracked ones
@@ -140,8 +152,6 @@ ASKED_ALWAYS = (*(name for name in DOUBTFUL if name not in ANGLES), "velocity_y"
 """Quantities of which a first look asks in which rows they are missing, or more."""
 SAMPLED = 4096
 """Balls of a part that are looked at for that, evenly drawn."""
-HIGH = 1000.0
-"""m above the sea; in a park above it, Denver's, home runs are underestimated (`studies/park_ranking.py`)."""
 FAIR = math.radians(50)
 """rad; bearings beyond are foul."""
 MOST_FOUL = 0.3
@@ -218,6 +228,10 @@ class TableLook:
             self._note("plate reference", used, late & tracked)
             self._note("plate not moved", used, late & ~tracked)
         self._note("side unknown", used, pl.col("left").is_null())
+        for confidence in UNSURE:
+            if headings.has(confidence):
+                among = used if confidence == "landing_confidence" else rows
+                self._note("not measured", among, is_unsure(confidence), confidence.replace("_", " "), of=confidence)
         self._note_placeholders(used)
         if headings.has("game_kind"):
             self._note("other games", used, pl.col("game_kind").is_in(ELSEWHERE))
@@ -232,8 +246,7 @@ class TableLook:
             self.endings |= set(used["event"].drop_nulls().unique())
 
     def _note_parks(self, used: pl.DataFrame) -> None:
-        """Note balls whose park is not known, and those in a park so high that its home runs are underestimated."""
-        flown = self.table.headings.has("launch_angle")
+        """Note balls whose park is not known."""
         names = [name for name in ("park", "home_team") if self.table.headings.has(name)]
         used = used.with_columns(place=pl.coalesce(names))
         for club, year in used.select("place", "season").drop_nulls("place").unique().iter_rows():
@@ -242,8 +255,6 @@ class TableLook:
             if park is None:
                 self._note("unknown park", used, here)
                 self.lost.add(club)
-            elif park.elevation > HIGH and flown:
-                self._note("thin air", used, here, park.name)
 
     def _note_placeholders(self, used: pl.DataFrame) -> None:
         """Note balls with an exit speed and launch angle that stand in the table again and again."""

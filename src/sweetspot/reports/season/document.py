@@ -7,12 +7,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import polars as pl
 
 from sweetspot.answers.cautions import Caution, cautioned_files
 from sweetspot.answers.records import plain_data
 from sweetspot.answers.season import SeasonAnswer, SeasonPlayer, SeasonTable
+from sweetspot.errors import UnwritableError
 from sweetspot.numerics.interval import Interval
 from sweetspot.numerics.text_files import harmless
 from sweetspot.reports.document import (
@@ -40,6 +40,7 @@ from sweetspot.reports.season.words import (
 from sweetspot.reports.sentences import Slot, joined, within
 from sweetspot.seasons.ball_columns import WITH
 from sweetspot.seasons.batters import table_stem
+from sweetspot.seasons.home_run_table import HomeRunsOf
 from sweetspot.seasons.rows import REASONS
 from sweetspot.seasons.season_drag import DragOfMonth
 from sweetspot.seasons.standings import MEASURES, Standing
@@ -82,6 +83,7 @@ def season_document(answer: SeasonAnswer) -> Document:
         details.append(_drag(answer.drag))
     if words := left_over_words(answer.left_over):
         details.append(Section("left_over", "Tracked distance less carry", [*map(Paragraph, words)]))
+    details += _home_runs(answer.home_runs_by)
     if players is not None and (reliability := _reliability(players)).rows:
         rare = few_of_a_kind(answer.rare_shares["batter"])
         details += [reliability, *(Paragraph(words, "note") for words in rare)]
@@ -181,6 +183,35 @@ def _pooled(row: Mapping[str, Any], name: str) -> Cell:
     return within(Interval(row[name], low, high), scale, unit=False)
 
 
+KINDS_OF_BALLS: Mapping[str, tuple[str, str]] = {
+    "launch_angle": ("launch angle", "angle"),
+    "pull": ("direction, positive to the pull side", "angle"),
+    "home_run_here": ("their chance", "share"),
+}
+"""What balls are grouped by in `home_runs_by`, and its scale."""
+
+
+def _home_runs(groups: Mapping[str, Sequence[HomeRunsOf]]) -> list[Table]:
+    """Return home runs expected and hit, a table for each grouping with any."""
+    tables = []
+    for kind, (words, scale) in KINDS_OF_BALLS.items():
+        rows: list[list[Cell]] = [
+            [
+                joined([Slot(group.low, scale).bare, "to", Slot(group.high, scale)]),
+                grouped(group.balls),
+                f"{group.expected:.1f}",
+                grouped(group.hit),
+                f"{group.chance_spread:.1f}",
+            ]
+            for group in groups[kind]
+            if group.hit or group.expected >= LEAST_EXPECTED
+        ]
+        if rows:
+            columns = table_head(f"{words} | balls > | expected > | hit > | chance alone, one SD >")
+            tables.append(Table(f"Home runs expected and hit, by {words}", columns, rows))
+    return tables
+
+
 def _drag(months: Sequence[DragOfMonth]) -> Table:
     columns = table_head("month | drag over the law's: ratio | standard error: ratio | fly balls > | games >")
     rows: list[list[Cell]] = [
@@ -190,17 +221,19 @@ def _drag(months: Sequence[DragOfMonth]) -> Table:
 
 
 def _reliability(players: Standing) -> Table:
-    """Return how well balls tell players apart: the reliability of each measure."""
+    """Return how well balls tell players apart: the reliability of each measure of which players have enough balls."""
     counts = (34, 100, 400)
     columns = table_head("measure | players >")
-    columns += [Column(f"at {count} balls", "ratio", 2) for count in counts]
+    columns += [Column(f"at {count} balls", right=True) for count in counts]
     rows: list[list[Cell]] = []
     for name, spread in players.spreads.items():
-        reliability = spread.reliability(np.array(counts))
-        if spread.groups and np.isfinite(reliability).any():
+        intervals = [interval for count in counts if (interval := spread.reliability_interval(count)) is not None]
+        if intervals:
             label = MEASURES[name][1] if name in MEASURES else f"gain with {name.removeprefix(WITH)}"
-            rows.append([label, grouped(spread.groups), *(None if np.isnan(part) else part for part in reliability)])
-    return Table("Reliability: how well so many balls of a player tell him from the others", columns, rows)
+            cells = [within(interval, "ratio", digits=2) for interval in intervals]
+            rows.append([label, grouped(spread.groups), *cells])
+    title = "Reliability: how well so many balls of a player tell him from the others, with 90 % intervals"
+    return Table(title, columns, rows)
 
 
 def write_tables(answer: SeasonAnswer, folder: Path) -> list[str]:
@@ -226,7 +259,31 @@ def write_tables(answer: SeasonAnswer, folder: Path) -> list[str]:
     return sorted(path.name for path in contents)
 
 
+def write_balls(answer: SeasonAnswer, folder: Path) -> str:
+    """Write every ball with all answers as CSV, a part after the other, and return the file's name.
+
+    Raises
+    ------
+    InputError
+        when it cannot be written.
+    """
+    file, balls = folder / BALLS_CSV, answer.balls()
+    texts = [name for name, kind in balls.collect_schema().items() if kind == pl.String]
+    formula = pl.col(texts).str.contains(FORMULA) & pl.col(texts).cast(pl.Float64, strict=False).is_null()
+    quoted = pl.when(formula).then("'" + pl.col(texts)).otherwise(pl.col(texts)).name.keep()
+    try:
+        balls.with_columns(quoted).sink_csv(file)
+    except OSError as error:
+        raise UnwritableError(f"{file} cannot be written: {error.strerror or error}") from None
+    return file.name
+
+
+BALLS_CSV = "balls.csv"
+FORMULA = r"^[=+\-@\t\r]"
+"""Beginnings of texts that a spreadsheet takes as formulas, as `harmless` has them."""
 FIGURE = "sweetspot.reports.season.picture:season_figure"
+LEAST_EXPECTED = 0.5
+"""Home runs expected of balls of a kind below which, and without any hit, it is not listed."""
 TELLING = 0.05
 """Reliability below which players do not differ, and a percentile would be chance."""
 

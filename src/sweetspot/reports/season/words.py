@@ -20,6 +20,11 @@ LEAGUE = (
     Line("{rows} rows in {files}; {balls} balls in play with an exit speed."),
     Line("Home runs: {expected} expected in the parks they were hit in, {hit} hit.", "home_runs"),
     Line(
+        "Chance alone does that in one season in {seasons}: most likely these balls were selected by how they ended, "
+        "or exit speeds, parks or events are wrong; no average of them holds for other balls.",
+        "selected",
+    ),
+    Line(
         "They fly with the season's own drag, by its tracked distances {drag:ratio, 3, ends} of the law's; its error "
         "alone makes that {league.home_runs_by_drag:count, ends}, and with the law's drag it would be {usual}.",
         "own_drag",
@@ -39,6 +44,8 @@ LEAGUE = (
     Line("Balls are met {league.from_best:offset} from the best place on average.", "bat_speeds"),
 )
 """A paragraph each."""
+SELECTED_TAIL = 1e-3
+"""Probability of so few or so many home runs below which a table counts as selected [our choice]."""
 OTHER_BAT = (
     "With {bat} the same swings would have given {gain:speed_change, 1, sign, ends} of exit speed on average, over "
     "{balls} balls."
@@ -118,6 +125,8 @@ def league_words(answer: SeasonAnswer) -> list[Sentence]:
         "home_runs": home_runs,
         "expected": grouped(league.home_runs_expected or 0),
         "hit": grouped(league.home_runs or 0),
+        "selected": home_runs and league.home_runs_tail is not None and league.home_runs_tail < SELECTED_TAIL,
+        "seasons": grouped(float(f"{1 / max(league.home_runs_tail or 1.0, 1e-6):.1g}")),
         "own_drag": own_drag,
         "drag": _drag_interval(answer.own_drag),
         "usual": f"{league.home_runs_with_usual_drag or 0:,.0f}",
