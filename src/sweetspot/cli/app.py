@@ -46,6 +46,7 @@ CATALOGUE: Mapping[str, tuple[str, ...]] = {
     "sports": ("sports", "sports tennis"),
     "parks": ("parks fenway",),
     "bats": ("bats", "bats --csv"),
+    "materials": ("materials", "materials white-ash"),
     "show": ("show r161-ash --out my-bat.toml",),
     "schema": ("schema racket",),
     "validate": (
@@ -57,7 +58,7 @@ CATALOGUE: Mapping[str, tuple[str, ...]] = {
 """The same of those that share a module."""
 EXAMPLES: Mapping[str, tuple[str, ...]] = {**COMMANDS, **CATALOGUE, **PAGE}
 GROUPS: Mapping[str, tuple[str, ...]] = {
-    "Start here": ("report", "hit", "compare", "app", "bats", "sports"),
+    "Start here": ("report", "hit", "compare", "app", "bats", "materials", "sports"),
     "My bat": ("outline", "tap", "pendulum", "calibrate", "calibrate-ball", "rank", "match", "design"),
     "Players and seasons": ("fit-player", "play", "fly", "optimum", "season", "parks"),
     "Rules": ("certify",),

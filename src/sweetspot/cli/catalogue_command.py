@@ -49,6 +49,21 @@ def sports(
     return present(answer, output)
 
 
+def materials(
+    material: Annotated[
+        str | None, Parameter(help="Of the catalogue, or as the trade calls it: ash, maple; default: all.")
+    ] = None,
+    /,
+    *,
+    output: OutputOptions = DEFAULT_OUTPUT,
+) -> int:
+    """List woods, metals and fillers, or one as a card: density, stiffness, strength, their spread and source."""
+    from sweetspot.answers.materials import material_answer, materials_answer
+    from sweetspot.cli.output import present
+
+    return present(materials_answer() if material is None else material_answer(material), output)
+
+
 def schema(
     kind: Annotated[
         str, Parameter(help="bat, ball, racket, cricket-bat, golf-club, hockey-stick or table-tennis-racket.")

@@ -116,6 +116,8 @@ MAKERS: Mapping[str, str] = {
     "CertifyAnswer": "sweetspot.reports.certification.document:certificate_document",
     "MatchAnswer": "sweetspot.reports.matching:match_document",
     "CompareAnswer": "sweetspot.reports.comparison.document:compare_document",
+    "MaterialAnswer": "sweetspot.reports.materials:material_document",
+    "MaterialsAnswer": "sweetspot.reports.materials:materials_document",
     "ParkAnswer": "sweetspot.reports.flight.parks:park_document",
     "ParksAnswer": "sweetspot.reports.flight.parks:parks_document",
     "SportAnswer": "sweetspot.reports.sports:sport_document",
