@@ -81,9 +81,13 @@ def hang_check(rows: pl.DataFrame, setting: FlightSetting, *, caught: NDArray[np
     for law, those in fields.laws(setting.aerodynamics):
         mine = those[here[those]]
         launch = usual_launch(
-            balls.exit_speed[mine], balls.launch_angle[mine], flown.launch_direction[mine], left=balls.left[mine]
+            balls.exit_speed[mine],
+            balls.launch_angle[mine],
+            flown.launch_direction[mine],
+            left=balls.left[mine],
+            line=setting.line,
         )
-        conditions = FlightConditions(ball=setting.ball, aerodynamics=law, air=airs.at(mine))
+        conditions = FlightConditions(ball=setting.ball, aerodynamics=setting.dragged(law), air=airs.at(mine))
         paths = flights(launch, conditions, path_points=POINTS)
         far[mine] = _distance_at(measured[mine], paths.times, paths.positions)
         sinking[mine] = -paths.landing_velocity[:, 2]

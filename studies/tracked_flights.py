@@ -25,6 +25,7 @@ from sweetspot.flight.batted_spin import backspin_scatter
 from sweetspot.flight.carry_scatter import TRACKED, CarryErrors, LaunchErrors, carry_errors
 from sweetspot.flight.home_runs import USUAL
 from sweetspot.seasons.balls import balls_of, fields_of
+from sweetspot.seasons.flight_choice import FlightChoice
 from sweetspot.seasons.flight_columns import GLOVE, FlightSetting, flown_balls
 from sweetspot.seasons.pooling import REACHES
 from sweetspot.seasons.rows import USED, rows_of
@@ -33,7 +34,7 @@ from sweetspot.seasons.table_file import open_table
 from sweetspot.units import DEGREE, FOOT, MPH, RPM
 
 Array = NDArray[np.float64]
-CAUGHT = ["field_out", "sac_fly", "double_play", "sac_fly_double_play"]
+CAUGHT = ["field_out", "sac_fly", "double_play", "sac_fly_double_play", "out", "sacrifice"]
 LINERS = (10.0, 25.0)
 """deg: what the league calls line drives."""
 LINERS_SCATTER = float(backspin_scatter(LINERS[0] * DEGREE))
@@ -52,9 +53,9 @@ def table_of(path: Path) -> pl.DataFrame:
 def compared(rows: pl.DataFrame, setting: FlightSetting) -> tuple[pl.DataFrame, NDArray[np.bool_]]:
     """Return balls of 80 mph and more with what their computed distance has too much, and which rows were caught."""
     balls = balls_of(rows)
-    fields = fields_of(rows["home_team"], balls.season)
+    fields = fields_of(rows["home_team"] if "home_team" in rows.columns else [None] * len(rows), balls.season)
     flown = flown_balls(balls, fields, setting, airs=fields.airs(setting.air, rows))
-    caught = rows["event"].is_in(CAUGHT).fill_null(value=False).to_numpy()
+    caught = rows["event"].str.to_lowercase().is_in(CAUGHT).fill_null(value=False).to_numpy()
     glove = caught * GLOVE / np.tan(np.maximum(flown.landing_angle, 0.05))
     scatter = np.array([*(USUAL.of(park)[1] for park in fields.parks), USUAL.open])[fields.index]
     found = pl.DataFrame({
@@ -116,6 +117,8 @@ def held_out(balls: pl.DataFrame, setting: FlightSetting, spin: float) -> None:
     """Print how many distances lie within the intervals that a scatter of backspin makes, which was set elsewhere."""
     for low, high in (LINERS, (15.0, 25.0)):
         mine = balls.filter(pl.col("angle").is_between(low, high))
+        if mine.is_empty():
+            continue
         told = carry_errors(setting.ball, setting.aerodynamics, setting.air, errors=TRACKED, spin_scatter=spin)
         spread = told.spread(
             mine["speed"].to_numpy(), mine["angle"].to_numpy() * DEGREE, per_drag=mine["per_drag"].to_numpy(),
@@ -144,9 +147,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("files", type=Path, nargs="+", help="tables of tracked balls")
     options.add_argument("--temperature", type=float, default=72.0, help="degF, of balls that a table has none of")
+    options.add_argument("--law", default=None, help="of drag and lift; none: the baseball's")
+    options.add_argument("--drag", type=float, default=1.0, help="over that of the law")
     given = options.parse_args(arguments)
     air = Air(temperature=(given.temperature - 32) * 5 / 9)
-    setting = replace(season_setting(contact=False, air=air).flight, parks=False)
+    setting = replace(
+        season_setting(contact=False, air=air, flights=FlightChoice(law=given.law, drag=given.drag)).flight, parks=False
+    )
     missed = 0
     for path in given.files:
         rows = table_of(path)
