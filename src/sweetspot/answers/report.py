@@ -32,9 +32,11 @@ from sweetspot.answers.report_draws import drawn_report
 from sweetspot.answers.setups import SwungWith
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_laws import swing_weight
+from sweetspot.dynamics.clamped import clamped_frequency
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import effective_mass, moi_doubt
+from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
@@ -171,6 +173,7 @@ class ReportAnswer(Answer):
     grip_effect : relative change of the best exit speed by typical hands.
     sport, swing_weight, face_map : of what has a face.
     handling : how a racket handles; None for other implements.
+    clamped_frequency : of a club whose grip is clamped; None for other implements.
     paddle : numbers of a paddle; None for other implements.
     off_center : hits beside the middle, of what has a flat face; the ball leaves at an angle.
     misses : what they cost; none on a face too short for one.
@@ -194,6 +197,7 @@ class ReportAnswer(Answer):
     sport: str | None = None
     swing_weight: SwingWeightText | None = None
     handling: Handling | None = None
+    clamped_frequency: Frequency | None = None
     paddle: Annotated[PaddleFace | None, INLINE] = None
     off_center: tuple[HitBeside, ...] = ()
     face_map: HitsOnFace | None = None
@@ -278,6 +282,7 @@ def _described(analysis: Analysis[Implement]) -> ReportAnswer:
         sport=bat.sport if face else None,
         swing_weight=SwingWeightText(convention.name, convention.text_of(body)) if face else None,
         handling=handling_of(bat, body),
+        clamped_frequency=clamped_frequency(analysis.beam) if isinstance(bat, GolfClub) else None,
         paddle=paddle_face(bat, body),
         off_center=hits_beside(bat, body, analysis.modes, analysis.conditions),
         face_map=hits_on_face(face_map(analysis.reduced, analysis.conditions)) if face else None,

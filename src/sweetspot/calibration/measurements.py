@@ -25,12 +25,15 @@ from sweetspot.calibration.unknowns import OF_BALL, Unknown
 from sweetspot.catalog.balls import slope_doubt
 from sweetspot.catalog.swing_laws import MOMENTS, swing_weight
 from sweetspot.collision.kernel import hits
-from sweetspot.dynamics.beam import BeamModel
+from sweetspot.dynamics.beam import BeamModel, beam_model
+from sweetspot.dynamics.clamped import PER_MINUTE, clamped_frequency
 from sweetspot.dynamics.hoop import hoop_frequency
 from sweetspot.dynamics.reduction import all_modes, bending_frequencies
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.dynamics.swing_weight import pendulum_period
 from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.golf_club import GolfClub
+from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -38,6 +41,8 @@ from sweetspot.plausibility import parse
 from sweetspot.units import INCH
 
 MeasuredKind = Literal["mass", "balance_point", "moi", "period", "frequency", "efficiency"]
+CYCLES = re.compile(r"\s*cpm\b", re.IGNORECASE)
+"""Cycles per minute, as clubmakers have it."""
 OF_BODY = ("mass", "balance_point", "moi", "period")
 """Kinds that ask for no more than the motion of a rigid body."""
 EFFICIENCY_ERROR = 0.01
@@ -196,6 +201,25 @@ def plain_swing_weight(text: str) -> str:
     """Return a racket's swing weight with its unit, which its people leave out: numbers alone are kg cm^2."""
     parts = SEPARATOR.split(text.strip(), maxsplit=1)
     return " ± ".join(f"{part} kg*cm^2" if re.fullmatch(r"\d+(\.\d+)?", part) else part for part in parts)
+
+
+def of_clamped_tone(text: str, implement: Implement, *, what: str = "tone") -> Measurement:
+    """Return the first tone of a club hung freely that cycles per minute with a clamped grip tell.
+
+    Both go as the root of its stiffness, so the measured one is to the drawing's as the free one is to the drawing's
+    (`sweetspot.dynamics.clamped`).
+
+    ``text``: ``252cpm`` or ``252cpm±1cpm``; without ± the last digit.
+    """
+    numbers = [CYCLES.sub("", part) for part in SEPARATOR.split(text, maxsplit=1)]
+    if not isinstance(implement, GolfClub) or not CYCLES.search(text):
+        raise InputError(f"{what} was given as 'clamped:{text}'; clubs alone are clamped: write it clamped:252cpm±1cpm")
+    cycles = parse_measured(" ± ".join(numbers), "ratio", what)
+    if not 60 <= cycles.value <= 600:
+        raise InputError(f"{what} was given as 'clamped:{text}'; usual is 150 to 350 cycles per minute")
+    beam = beam_model(implement)
+    free = float(bending_frequencies(beam, count=1)[0]) / (PER_MINUTE * clamped_frequency(beam))
+    return Measurement("frequency", Measured(free * cycles.value, free * cycles.error), mode=ModeName("bending", 1))
 
 
 def of_swing_weight(text: str, sport: str, *, mass: Measured | None, what: str = "swing weight") -> Measurement:

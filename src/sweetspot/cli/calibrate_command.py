@@ -48,7 +48,11 @@ class RungOptions:
     tap: Annotated[list[Path] | None, Parameter(help="Sound files of taps; may be given again.")] = None
     at: Annotated[list[str] | None, Parameter(help="Where it was tapped: 1in-from-tip; may be given again.")] = None
     tone: Annotated[
-        list[str] | None, Parameter(help="A frequency measured otherwise: bending-1:171.3Hz±0.5Hz; may be given again.")
+        list[str] | None,
+        Parameter(
+            help="A frequency measured otherwise: bending-1:171.3Hz±0.5Hz, or of a club clamped:252cpm±1cpm; may be "
+            "given again."
+        ),
     ] = None
 
 
@@ -207,13 +211,15 @@ def _shots(described: Implement, given: CalibrationShotOptions) -> tuple[list[Sh
 def _tone(text: str, described: Implement) -> Measurement:
     """Return the measurement that a text like ``bending-1:171.3Hz`` names."""
     from sweetspot.calibration.measured import parse_measured
-    from sweetspot.calibration.measurements import Measurement
+    from sweetspot.calibration.measurements import Measurement, of_clamped_tone
     from sweetspot.calibration.mode_naming import MOST_BENDING, ModeName
     from sweetspot.calibration.tap_analysis import tones_to_fit
 
     names = {f"bending-{number}": ModeName("bending", number) for number in range(1, MOST_BENDING + 1)}
     names["hoop"] = ModeName("hoop", 2)
     name, _, value = text.partition(":")
+    if name.strip() == "clamped" and value:
+        return of_clamped_tone(value, described, what="--tone")
     if name.strip() not in names or not value:
         raise InputError(f"--tone was given as {text!r}; write {', '.join(names)} and a frequency: bending-1:171.3Hz")
     frequency: Measured = parse_measured(value, "frequency", "--tone")

@@ -95,7 +95,7 @@ DECIMAL_COMMA = re.compile(r"(?<![\d.,])(?:(0*),(\d+)|(\d+),(\d{1,2}|\d{4,}))(?!
 PER_MINUTE = re.compile(r"\d\s*[cr]pm\b|\bmin", re.IGNORECASE)
 CLAMPED = (
     "a tone here is that of an implement hung freely, in Hz; the cycles per minute of golf clubs are measured with the "
-    "grip clamped and tell another number"
+    "grip clamped and tell another number; `calibrate --tone clamped:252cpm` reads them"
 )
 """Why no frequency is read per minute: clubs have about 250 of them, 4.2 Hz; the catalogue's driver rings at 42."""
 COMMA = re.compile(r"\d,|,\d")

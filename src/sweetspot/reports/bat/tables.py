@@ -14,10 +14,13 @@ from sweetspot.answers.handling import Handling, handling_of
 from sweetspot.answers.paddle_numbers import paddle_face
 from sweetspot.answers.report import ReportAnswer, VibrationMode
 from sweetspot.catalog.swing_laws import swing_weight
+from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.clamped import CLAMP, PER_MINUTE, clamped_frequency
 from sweetspot.dynamics.modes import Family
 from sweetspot.dynamics.rigid import RigidBody, moi_doubt
 from sweetspot.dynamics.swing_weight import SwingWeight
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.sport import Terms
@@ -153,6 +156,7 @@ def mass_table(bat: Implement, body: RigidBody, mass: MassProperties) -> Table:
         *handling_rows(handling_of(bat, body)),
         *string_rows(bat),
         *paddle_rows(bat, body),
+        *shaft_rows(bat),
         *moments,
         ("moment of inertia, about its own axis", Slot(mass.roll_moi, "moi", 1)),
     ]
@@ -169,6 +173,15 @@ def handling_rows(handling: Handling | None) -> list[tuple[Cell, Cell]]:
         ("MGR/I", f"{float(handling.mgr_over_i):.2f} 1/s²"),
         ("polarization, against an even rod", f"{float(handling.polarization):.2f}"),
     ]
+
+
+def shaft_rows(bat: Implement) -> list[tuple[Cell, Cell]]:
+    """Return the tone of a club whose grip is clamped, as clubmakers tell shafts; nothing for other implements."""
+    if not isinstance(bat, GolfClub):
+        return []
+    cycles = PER_MINUTE * clamped_frequency(beam_model(bat))
+    where = say("tone of the shaft, clamped {clamp:place} from the butt", clamp=CLAMP)
+    return [(where, f"{cycles:.0f} cpm, {cycles / PER_MINUTE:.2f} Hz")]
 
 
 def string_rows(bat: Implement) -> list[tuple[Cell, Cell]]:
