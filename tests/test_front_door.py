@@ -140,6 +140,7 @@ PASSED_ON = {
     *("int", "int | None", "bool", "str", "str | None", "str | Path", "tuple[int, ...]", "Sequence[str] | None"),
     *("Friction", "ContactLaw | None", "PatchLaw", "Choices | None", "Side", "Support", "tuple[str, ...]"),
     *("Path | str", "Path | str | None", "Path | None", "Mapping[str, str] | str | None", "Sequence[str]", "GoalName"),
+    *("Aim", "float | str | None"),
     "str | Sequence[str]",
     *("BatCell", "FlightCell"),
     *("Mapping[str, float] | None", "Mapping[str, float | Measured] | None"),

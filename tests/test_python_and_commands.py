@@ -104,6 +104,10 @@ ASKED: list[tuple[str, Callable[[], Any]]] = [
     ),
     ("paper r161-ash --entry-angle 20deg --fill rubber", lambda: door.paper(R161, entry_angle="20deg", fill="rubber")),
     (
+        "plan-swings r161-ash mlb-a --within 0.06 --bat-speed 64mph --bat-speed-spread 2mph",
+        lambda: door.plan_swings("r161-ash", "mlb-a", within=0.06, bat_speed="64mph", bat_speed_spread="2mph"),
+    ),
+    (
         "fit-player swings.csv --bat mlb-a --pitch-speed 60mph --goal line --line 250ft",
         lambda: door.fit_player("swings.csv", bat="mlb-a", pitch_speed="60mph", goal="line", line="250ft"),
     ),

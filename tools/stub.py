@@ -46,6 +46,7 @@ PUBLIC = {
     "BatCell": 'Literal["exit_speed", "collision_efficiency", "bbcor", "bat_speed", "mass", "balance_point", "moi", '
     '"frequency"]',
     "FlightCell": 'Literal["carry", "hang_time", "apex", "landing_angle", "landing_speed"]',
+    "Aim": 'Literal["exponent", "position"]',
     "GoalName": 'Literal["exit-speed", "carry", "line"]',
     "tuple[str, ...]": "str | Sequence[str]",
     "tuple[float, ...]": "Sequence[Amount]",

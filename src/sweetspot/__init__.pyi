@@ -25,6 +25,7 @@ from .answers.optimum import OptimumAnswer as OptimumAnswer
 from .answers.outline import OutlineAnswer as OutlineAnswer
 from .answers.paper import PaperAnswer as PaperAnswer
 from .answers.pendulum import PendulumAnswer as PendulumAnswer
+from .answers.plan_swings import PlanSwingsAnswer as PlanSwingsAnswer
 from .answers.play import PlayAnswer as PlayAnswer
 from .answers.player import FitPlayerAnswer as FitPlayerAnswer
 from .answers.rank import RankAnswer as RankAnswer
@@ -110,6 +111,7 @@ __all__ = [
     "Park",
     "PendulumAnswer",
     "Pitch",
+    "PlanSwingsAnswer",
     "PlayAnswer",
     "RankAnswer",
     "ReducedBat",
@@ -154,6 +156,7 @@ __all__ = [
     "paper",
     "paper_rows",
     "pendulum",
+    "plan_swings",
     "play",
     "plays",
     "rank",
@@ -568,6 +571,18 @@ def pendulum(
     pivot: Amount = 0.15239999999999998,
     uncertainty: bool = False,
 ) -> PendulumAnswer: ...
+def plan_swings(
+    *bats: str,
+    find: Literal["exponent", "position"] = "exponent",
+    within: float | str | None = None,
+    lead: bool = True,
+    bat_speed: Amount | None = None,
+    bat_speed_spread: Amount | None = None,
+    contact_spread: Amount | None = None,
+    filled: Path | str | None = None,
+    pitch_speed: Amount | None = None,
+    batch: int = 20,
+) -> PlanSwingsAnswer: ...
 def play(
     bat: Tool,
     *,

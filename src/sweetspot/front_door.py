@@ -38,6 +38,8 @@ SETUPS = {
         "SearchSetup",
         "SentSetup",
         "Choices",
+        "SwingerSetup",
+        "SheetSetup",
         "GoalSetup",
         "BatterSetup",
         "LimitSetup",

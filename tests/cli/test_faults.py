@@ -55,6 +55,7 @@ COMMANDS: dict[str, tuple[str, ...]] = {
     "paper": ("paper", "--out", "OUT"),
     "parks": ("parks", "--out", "OUT"),
     "pendulum": ("pendulum", *WEIGHED, "--period", "1.55s", "--out", "OUT"),
+    "plan-swings": ("plan-swings", "r161-ash", "--out", "OUT"),
     "play": ("play", "r161-ash", "--out", "OUT"),
     "rank": ("rank", "BATS", "--like", "r161-ash", "--same-speed", "--out", "OUT"),
     "report": ("report", "r161-ash", "--out", "OUT"),

@@ -24,6 +24,8 @@ SMALL: dict[str, str] = {
     "paddle_ball": "--only CRBN1",
     "park_ranking": "--flies 20",
     "photographs": "--count 1 --only transparent --pixel 2",
+    "plan_coverage": "--players 1 --find position",
+    "player_advice": "--players 3 --swings 20 --bats 2",
     "player_coverage": "--players 1 --swings 20",
     "published_intervals": "--only cricket-bat",
     "ranking_coverage": "--count 1",

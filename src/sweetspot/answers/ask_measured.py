@@ -32,13 +32,16 @@ from sweetspot.calibration.measured import Measured
 from sweetspot.catalog.implements import Loaded
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
+from sweetspot.plausibility import parse
 from sweetspot.player.goal import Goal, GoalName
+from sweetspot.player.planning import Aim
 from sweetspot.seasons.flight_choice import USUAL_FLIGHT, FlightChoice
 from sweetspot.units import INCH
 
 if TYPE_CHECKING:
     from sweetspot.answers.calibrate import CalibrateAnswer
     from sweetspot.answers.outline import OutlineAnswer
+    from sweetspot.answers.plan_swings import PlanSwingsAnswer
     from sweetspot.answers.player import FitPlayerAnswer
     from sweetspot.answers.rank import RankAnswer
     from sweetspot.answers.season import SeasonAnswer
@@ -147,6 +150,91 @@ def fit_player(
         air=air.air,
     )
     return fit_player_answer(question)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SwingerSetup:
+    """What is thought of a player before the swings of a plan; None: what is usual.
+
+    Parameters
+    ----------
+    bat_speed, bat_speed_spread : m/s, mean and from swing to swing.
+    contact_spread : m, of contact along the bat.
+    """
+
+    bat_speed: float | None = None
+    bat_speed_spread: float | None = None
+    contact_spread: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class SheetSetup:
+    """The sheet of a plan of swings.
+
+    Parameters
+    ----------
+    filled : with the swings made so far; None: none were made.
+    pitch_speed : m/s at the plate, for rows without one; 0, or "tee" as a text: the ball is at rest.
+    batch : swings after which it is asked whether to stop.
+    """
+
+    filled: Path | str | None = None
+    pitch_speed: float | None = None
+    batch: int = 20
+
+
+WITHIN: Mapping[Aim, float] = {"exponent": 0.07, "position": 0.5 * INCH}
+"""Half the 90 % interval that a plan of swings aims at: half of what is not known of any player, and a tape's width."""
+
+
+def plan_swings(
+    *bats: str,
+    find: Aim = "exponent",
+    within: float | str | None = None,
+    lead: bool = True,
+    swinger: SwingerSetup = SwingerSetup(),
+    sheet: SheetSetup = SheetSetup(),
+) -> PlanSwingsAnswer:
+    """Plan the swings that find how a heavier bat slows a player, or where the ball is met; then stop or go on.
+
+    Parameters
+    ----------
+    bats : the player's own, then others at hand, by name or file.
+    find : "exponent" of bat speed against moment of inertia, or mean contact "position".
+    within : half the 90 % interval wanted, of the exponent or in m (a text: with its unit); None: 0.07, 0.5 in.
+    lead : whether lead tape may go on the player's own bat.
+
+    Raises
+    ------
+    InputError
+        for bats or errors that no plan can be made with, or a sheet that cannot be read.
+    """
+    from sweetspot.answers.plan_swings import PlanSwingsQuestion, plan_swings_answer
+
+    question = PlanSwingsQuestion(
+        bats=tuple(catalog.load_bat(name) for name in bats),
+        aim=find,
+        within=WITHIN[find] if within is None else _error_wanted(within, find),
+        bat_speed=swinger.bat_speed,
+        bat_speed_spread=swinger.bat_speed_spread,
+        position_spread=swinger.contact_spread,
+        lead=lead,
+        filled=None if sheet.filled is None else Path(sheet.filled),
+        pitch_speed=sheet.pitch_speed,
+        batch=sheet.batch,
+    )
+    return plan_swings_answer(question)
+
+
+def _error_wanted(within: float | str, find: Aim) -> float:
+    if isinstance(within, float | int):
+        return float(within)
+    if find == "position":
+        return parse(within, "length", "within")
+    try:
+        return float(within)
+    except ValueError:
+        raise InputError(f"within was given as {within}; an exponent's error is a number, for example 0.07") from None
 
 
 def rank(

@@ -19,6 +19,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
     "match": ("match my-racket.toml tennis-racket --places 2cm,15cm,52cm,67cm --out leaded.toml",),
     "optimum": ("optimum --show swing", "optimum --show parks --park all"),
     "fit-player": ("fit-player swings.csv --bat r161-ash --pitch-speed 60mph",),
+    "plan-swings": ("plan-swings r161-ash mlb-a --within 0.07 --out plan",),
     "design": ("design mlb-a --contact 8in --contact-spread 1.2in --out torpedo",),
     "season": (
         "season statcast_2024.csv.gz --show-columns",

@@ -101,6 +101,7 @@ MAKERS: Mapping[str, str] = {
     "CalibrateAnswer": "sweetspot.reports.calibration.document:calibration_document",
     "CalibrateBallAnswer": "sweetspot.reports.calibration.ball_report:calibrate_ball_document",
     "FitPlayerAnswer": "sweetspot.reports.player.document:player_document",
+    "PlanSwingsAnswer": "sweetspot.reports.player.plan:plan_document",
     "FitTeamAnswer": "sweetspot.reports.player.team:team_document",
     "TapAnswer": "sweetspot.reports.tap:tap_document",
     "OutlineAnswer": "sweetspot.reports.calibration.outline_report:outline_document",

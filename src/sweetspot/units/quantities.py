@@ -11,7 +11,8 @@ from sweetspot.units.text import SI, Kind, to_si
 
 KINDS: Mapping[Kind, str] = {
     "speed": (
-        "speed bat_speed pitch_speed release_speed exit_speed closing_speed velocity reference_speed wind wind_speed"
+        "speed bat_speed bat_speed_spread pitch_speed release_speed exit_speed closing_speed velocity reference_speed "
+        "wind wind_speed"
     ),
     "angle": ("launch_angle spray bearing attack_angle attack_direction tilt direction approach_angle entry_angle"),
     "wind direction": "wind_direction",

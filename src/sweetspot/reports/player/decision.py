@@ -8,7 +8,9 @@ from sweetspot.player.best_bat import BatChoice
 from sweetspot.reports.player.phrases import changes, goal_shown, goal_words, option_words
 from sweetspot.reports.sentences import Sentence, Words, joined, say
 
-EXPERIMENT = "Twenty swings with each of two bats that differ in weight would tell more."
+EXPERIMENT = (
+    "Swings with two bats that differ enough in weight would tell: `sweetspot plan-swings` says which and how many."
+)
 LISTED = 3
 """Bats that the line for everybody names, and changes of the player that the first lines do."""
 NEITHER_WAY = ("weight", "balance", "choke")
