@@ -24,6 +24,7 @@ CASES: dict[str, tuple[str, ...]] = {
     "golf": ("shoptalk_smash", "golf_smash_tour", "usga_impact", "tutelman_impact", "trackman_tour", "nathan_golf"),
     "field-hockey": ("hockey2012", "fih_rules"),
     "pickleball": (),
+    "squash": (),
 }
 """Published cases of each sport, by source."""
 

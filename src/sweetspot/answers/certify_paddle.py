@@ -210,6 +210,11 @@ def certify_paddle_answer(question: CertifyPaddleQuestion) -> CertifyPaddleAnswe
     )
 
 
+def tested_as_by_the_rules(paddle: Paddle, ball: Ball) -> PaddleTest:
+    """Return the test of a paddle at the speed and in the clamp of USA Pickleball."""
+    return _tested(paddle, ball, TEST_SPEED, HEAVY_CLAMP)
+
+
 def _tested(paddle: Paddle, ball: Ball, speed: float, moi: float) -> PaddleTest:
     clamp = Clamp(axis=CLAMP_AXIS, reach=CLAMP_REACH, moi=moi)
     return paddle_test(paddle, ball=ball, speed=speed, clamp=clamp)

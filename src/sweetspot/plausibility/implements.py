@@ -122,6 +122,7 @@ WHOLE: Mapping[str, WholeImplement] = {
     "tennis": WholeImplement((0.2, 0.42), (0.4, 0.6), (0.27, 0.38), (80.0, 250.0)),
     "badminton": WholeImplement((0.06, 0.13), (0.33, 0.55), (0.3, 0.43), (25.0, 120.0)),
     "table-tennis": WholeImplement((0.08, 0.3), (0.45, 0.72), (0.17, 0.32), (90.0, 700.0)),
+    "squash": WholeImplement((0.11, 0.21), (0.45, 0.6), (0.26, 0.38), (60.0, 220.0)),
     "pickleball": WholeImplement((0.17, 0.3), (0.5, 0.7), (0.2, 0.34), (150.0, 600.0)),
     "golf": WholeImplement((0.25, 0.65), (0.6, 0.85), (0.22, 0.42), (18.0, 120.0)),
     "field-hockey": WholeImplement((0.35, 0.8), (0.45, 0.72), (0.24, 0.37), (60.0, 250.0)),

@@ -36,7 +36,7 @@ _BAT = PlausibleRange(
     why="88 mph is the fastest tracked; checked swings are below 5",
 )
 TEE = "for a ball at rest say tee"
-OTHERS = ("cricket", "tennis", "table-tennis", "badminton", "golf", "field-hockey", "pickleball")
+OTHERS = ("cricket", "tennis", "table-tennis", "badminton", "golf", "field-hockey", "pickleball", "squash")
 _OFF_BAT = "a little above the fastest that was measured; slow ones hardly leave"
 
 
@@ -78,6 +78,7 @@ SPEEDS: Mapping[str, Sports] = {
         "badminton": _off(170, 0.5, "m/s"),
         "golf": _off(110, 1, "m/s"),
         "pickleball": _off(85, 1),
+        "squash": _off(85, 1, "m/s"),
         "field-hockey": _off(65, 1, "m/s"),
     },
 }

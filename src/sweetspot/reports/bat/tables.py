@@ -11,7 +11,7 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING
 from sweetspot.answers.conditions import MassProperties
 from sweetspot.answers.handling import Handling, handling_of
-from sweetspot.answers.paddle_numbers import paddle_face
+from sweetspot.answers.paddle_numbers import PaddleFace, paddle_face
 from sweetspot.answers.report import ReportAnswer, VibrationMode
 from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.beam import beam_model
@@ -206,11 +206,21 @@ def paddle_rows(bat: Implement, body: RigidBody) -> list[tuple[Cell, Cell]]:
     return [
         ("stiffness of the face", f"{float(face.face_stiffness) / 1e3:.0f} kN/m, {pounds:.0f} lb for 1/16 in"),
         ("tone of the face", Slot(face.face_tone, "frequency")),
+        *_legal(face),
         (
             "rim, and handle beyond the plate",
             f"{1e3 * float(face.rim_mass):.0f} g, {1e3 * float(face.handle_mass):.0f} g",
         ),
     ]
+
+
+def _legal(face: PaddleFace) -> list[tuple[Cell, Cell]]:
+    """Return whether a paddle keeps the limit on its restitution, as `certify` finds it; nothing without a limit."""
+    if face.pbcor is None or face.pbcor_limit is None:
+        return []
+    keeps = "legal" if float(face.pbcor) <= float(face.pbcor_limit) else "not legal"
+    value = say("{pbcor:ratio, 3}, {keeps}: see certify", pbcor=face.pbcor, keeps=keeps)
+    return [(say("PBCoR of the test, at most {limit:ratio, 2}", limit=face.pbcor_limit), value)]
 
 
 def in_kg_cm2(moi: Number) -> str:
