@@ -61,7 +61,7 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {**COMMANDS, **CATALOGUE, **PAGE}
 GROUPS: Mapping[str, tuple[str, ...]] = {
     "Start here": ("report", "hit", "compare", "app", "bats", "materials", "sports"),
     "My bat": ("outline", "tap", "pendulum", "calibrate", "calibrate-ball", "rank", "match", "design"),
-    "Players and seasons": ("fit-player", "play", "fly", "optimum", "season", "parks"),
+    "Players and seasons": ("fit-player", "plan-swings", "play", "fly", "optimum", "season", "parks"),
     "Rules": ("certify",),
     "Physics, and where it comes from": ("paper", "drop", "validate", "show", "schema", "prepare"),
 }
