@@ -21,6 +21,7 @@ from sweetspot.answers.records import (
     GRID,
     INLINE,
     INTERNAL,
+    Force,
     Frequency,
     Length,
     Mass,
@@ -33,9 +34,11 @@ from sweetspot.answers.setups import SwungWith
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.clamped import clamped_frequency
+from sweetspot.dynamics.hoop import squeezing_force
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import effective_mass, moi_doubt
+from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
@@ -174,6 +177,7 @@ class ReportAnswer(Answer):
     sport, swing_weight, face_map : of what has a face.
     handling : how a racket handles; None for other implements.
     clamped_frequency : of a club whose grip is clamped; None for other implements.
+    barrel_compression : load that brings two sides of a hollow barrel 0.050 in nearer; None for other implements.
     paddle : numbers of a paddle; None for other implements.
     off_center : hits beside the middle, of what has a flat face; the ball leaves at an angle.
     misses : what they cost; none on a face too short for one.
@@ -198,6 +202,7 @@ class ReportAnswer(Answer):
     swing_weight: SwingWeightText | None = None
     handling: Handling | None = None
     clamped_frequency: Frequency | None = None
+    barrel_compression: Force | None = None
     paddle: Annotated[PaddleFace | None, INLINE] = None
     off_center: tuple[HitBeside, ...] = ()
     face_map: HitsOnFace | None = None
@@ -283,6 +288,7 @@ def _described(analysis: Analysis[Implement]) -> ReportAnswer:
         swing_weight=SwingWeightText(convention.name, convention.text_of(body)) if face else None,
         handling=handling_of(bat, body),
         clamped_frequency=clamped_frequency(analysis.beam) if isinstance(bat, GolfClub) else None,
+        barrel_compression=squeezing_force(analysis.beam) if isinstance(bat, Bat) and bat.shell is not None else None,
         paddle=paddle_face(bat, body),
         off_center=hits_beside(bat, body, analysis.modes, analysis.conditions),
         face_map=hits_on_face(face_map(analysis.reduced, analysis.conditions)) if face else None,

@@ -40,6 +40,7 @@ from sweetspot.dynamics.wall import WallSection, wall_stiffness
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.piecewise import Piecewise, cubic_spline
+from sweetspot.units import INCH
 
 SLOWEST = 0.12
 """k R below which the tube is a beam."""
@@ -306,6 +307,20 @@ def barrel_compression(beam: BeamModel, *, from_tip: float, patch: float = PRESS
     breathing = np.sum(_breathing(_law(wall), waves, middle, outer, radii) * weights) / np.pi
     oval = _solved(shell, wall_pushes(shell, place, radii), followed=1, modes=1).give.sum()
     return float(1 / (4 * (breathing + oval)))
+
+
+SQUEEZED_AT, SQUEEZED_BY = 6 * INCH, 0.05 * INCH
+"""m from the tip, and m by which a diameter shrinks: how leagues tell a barrel's compression [barrel_designer]."""
+
+
+def squeezing_force(beam: BeamModel) -> float:
+    """Return the force in N for which leagues' testers know a hollow barrel; see `barrel_compression`.
+
+    >>> from sweetspot import beam_model, catalog
+    >>> round(squeezing_force(beam_model(catalog.bat("slow-pitch"))))
+    3580
+    """
+    return barrel_compression(beam, from_tip=SQUEEZED_AT) * SQUEEZED_BY
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,7 @@ from sweetspot.answers.report import ReportAnswer, VibrationMode
 from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.clamped import CLAMP, PER_MINUTE, clamped_frequency
+from sweetspot.dynamics.hoop import SQUEEZED_AT, squeezing_force
 from sweetspot.dynamics.modes import Family
 from sweetspot.dynamics.rigid import RigidBody, moi_doubt
 from sweetspot.dynamics.swing_weight import SwingWeight
@@ -157,6 +158,7 @@ def mass_table(bat: Implement, body: RigidBody, mass: MassProperties) -> Table:
         *string_rows(bat),
         *paddle_rows(bat, body),
         *shaft_rows(bat),
+        *barrel_rows(bat),
         *moments,
         ("moment of inertia, about its own axis", Slot(mass.roll_moi, "moi", 1)),
     ]
@@ -182,6 +184,15 @@ def shaft_rows(bat: Implement) -> list[tuple[Cell, Cell]]:
     cycles = PER_MINUTE * clamped_frequency(beam_model(bat))
     where = say("tone of the shaft, clamped {clamp:place} from the butt", clamp=CLAMP)
     return [(where, f"{cycles:.0f} cpm, {cycles / PER_MINUTE:.2f} Hz")]
+
+
+def barrel_rows(bat: Implement) -> list[tuple[Cell, Cell]]:
+    """Return the load for which leagues know a hollow barrel's compression; nothing for what has no wall."""
+    if not isinstance(bat, Bat) or bat.shell is None:
+        return []
+    load = squeezing_force(beam_model(bat))
+    where = say("barrel compression: load for 0.05 in, {place:place} from the tip", place=SQUEEZED_AT)
+    return [(where, f"{load / POUND_FORCE:.0f} lb, {load / 1e3:.2f} kN")]
 
 
 def string_rows(bat: Implement) -> list[tuple[Cell, Cell]]:

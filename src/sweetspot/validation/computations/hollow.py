@@ -6,16 +6,14 @@ from functools import cache
 
 from sweetspot import catalog
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.hoop import barrel_compression
+from sweetspot.dynamics.hoop import squeezing_force
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.laminate import Laminate, Ply
 from sweetspot.equipment.material import Material
 from sweetspot.equipment.shell import Shell
-from sweetspot.units import DEGREE, INCH
+from sweetspot.units import DEGREE
 from sweetspot.validation.computations import shared
 
-SQUEEZED_AT, SQUEEZED_BY = 6 * INCH, 0.05 * INCH
-"""m from the tip, and m by which testers press a barrel together."""
 TUBE_LENGTH = 0.84
 
 CARBON = Material(
@@ -74,7 +72,7 @@ def squeezed_tube(*, material: str, diameter: float, wall: float) -> float:
 
 def squeezed_bat(*, bat: str) -> float:
     """Return that force of a hollow bat of the catalogue."""
-    return barrel_compression(shared.beam(bat), from_tip=SQUEEZED_AT) * SQUEEZED_BY
+    return squeezing_force(shared.beam(bat))
 
 
 def barrels_in_order(*, barrels: list[str], diameter: float) -> float:
@@ -104,4 +102,4 @@ def _squeezed(material: Material, diameter: float, wall: float, laminate: Lamina
         profile=tuple((end, diameter) for end in ends),
         shell=Shell(wall=tuple((end, wall) for end in ends), laminate=laminate),
     )
-    return barrel_compression(beam_model(tube), from_tip=SQUEEZED_AT) * SQUEEZED_BY
+    return squeezing_force(beam_model(tube))
