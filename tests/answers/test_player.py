@@ -69,3 +69,15 @@ def test_a_team_is_a_row_a_batter(file: Path) -> None:
     assert team.to_frame()["expected_m_s"].is_between(30, 50).all()
     assert team.to_dict()["batters"][0]["parameters"]["bat_speed"]["own_share"] == 1.0
     assert "Team sheet" in team._repr_html_()
+
+
+def test_a_team_is_sorted_by_what_is_sure(file: Path) -> None:
+    """Eight swings tell little: what is not told by own swings is not told, and who surely gains most stands first."""
+    team = fit_team_answer(FitPlayerQuestion(file))
+    gains = [float(batter.surely_gained) for batter in team.batters]
+    assert gains == sorted(gains, reverse=True)
+    for batter in team.batters:
+        sure = [worth.gain.low for worth in batter.advice.surely_worth]
+        assert float(batter.surely_gained) == pytest.approx(max(sure, default=0.0)) and batter.best is None
+        assert batter.told_by_swings == batter.advice.worth["position_spread"].own
+    assert team._repr_html_().count("For everybody, not by these swings") == 1

@@ -57,7 +57,9 @@ class TeamRow:
     """One batter of a team as a row of a table.
 
     ``bat_speed_alone``, ``position_spread_alone``: as the own swings alone say; the others knowing the league.
-    ``one_inch_less_scatter``: what it brings. ``better_bat``, ``better_by``: the bat that is surely better by most;
+    ``one_inch_less_scatter``: what it brings; ``told_by_swings``: whether own swings say so, beyond the league's.
+    ``surely_gained``: the least that the best sure change of bat or player brings by own swings; 0: none is sure.
+    ``better_bat``, ``better_by``: the bat that is surely better by most;
     None: there is none.
     """
 
@@ -72,6 +74,8 @@ class TeamRow:
     expected: Annotated[Number, OF_RECORD]
     contact_point_from_tip: Length
     one_inch_less_scatter: Annotated[Number, OF_RECORD]
+    told_by_swings: bool
+    surely_gained: Annotated[Number, OF_RECORD]
     better_bat: str | None
     better_by: Annotated[Number | None, OF_RECORD]
     dimension: Annotated[Dimension, INTERNAL]
@@ -102,7 +106,7 @@ class FitTeamAnswer(Answer):
 
     Parameters
     ----------
-    batters : the one with the most to gain from less scatter first.
+    batters : the one who surely gains most by own swings first.
     league : how the batters differ, by parameter, and how many they are; None: too few to say.
     left_out : batters who cannot be fitted, and why.
     """
@@ -155,7 +159,7 @@ def fit_team_answer(question: FitPlayerQuestion, *, progress: Progress | None = 
     population = population_of([fit for _, fit in fitted])
     with begin("trying bats") as report:
         members = side_by_side(ask, fitted, progress=report)
-    members.sort(key=lambda member: -float(member.one_inch_less_scatter))
+    members.sort(key=lambda member: (-float(member.surely_gained), -float(member.one_inch_less_scatter)))
     league: dict[str, int | LeagueParameter] | None = None
     if population is not None:
         league = {"players": len(members)}
@@ -170,6 +174,7 @@ def _team_batter(name: str, alone: PlayerPosterior, advice: Advice, population: 
     learned = advice.posterior.learned
     shares = dict.fromkeys(NAMES, 1.0) if population is None else own_share(advice.posterior, population)
     best = advice.surely_best
+    sure = [*(worth.gain for worth in advice.surely_worth), *([best.change] if best is not None else [])]
     return TeamBatter(
         batter=name,
         swings=len(advice.posterior.model.swings),
@@ -181,7 +186,9 @@ def _team_batter(name: str, alone: PlayerPosterior, advice: Advice, population: 
         goal=advice.goal.name,
         expected=advice.now.value,
         contact_point_from_tip=advice.contact_point.value,
-        one_inch_less_scatter=advice.worth["position_spread"].gain.value,
+        one_inch_less_scatter=advice.worth["position_spread"].gain,
+        told_by_swings=advice.worth["position_spread"].own,
+        surely_gained=max((gain.low for gain in sure), default=0.0),
         better_bat=None if best is None else best.candidate.label,
         better_by=None if best is None else best.change.value,
         dimension=GOAL_DIMENSIONS[advice.goal.name],

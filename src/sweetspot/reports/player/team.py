@@ -20,14 +20,16 @@ from sweetspot.reports.document import (
     as_columns,
     table_head,
 )
-from sweetspot.reports.player.phrases import GOALS, goal_words, option_words
+from sweetspot.reports.player.decision import for_everybody
+from sweetspot.reports.player.phrases import GOALS, goal_shown, goal_words, option_words
 from sweetspot.reports.player.words import PARAMETERS, parameter_shown, taken_for
 from sweetspot.reports.sentences import Sentence, Slot, Words, say
 from sweetspot.units import INCH
 
 MEANS = say(
-    "Bat speed and scatter: most likely values. Expected: the mean over the batter's swings with the bat now. Best "
-    "place: mean contact from the tip. Less scatter: what {inch:place, round} less of it along the bat brings. A bat "
+    "The batter who surely gains most by own swings stands first. Bat speed and scatter: most likely values. Expected: "
+    "the mean over the batter's swings with the bat now. Best place: mean contact from the tip. Less scatter: what "
+    "{inch:place, round} less of it along the bat brings, with its 90 % interval, where own swings say so. A bat "
     "is named only where the batter's own swings say so and the 90 % interval of its gain leaves zero out.",
     inch=INCH,
 )
@@ -43,9 +45,11 @@ LEANS = (
 
 
 def team_document(answer: FitTeamAnswer) -> Document:
-    """Return a team as a document of one sheet, the batter with the most to gain from less scatter first."""
+    """Return a team as a document of one sheet, the batter who surely gains most by own swings first."""
     batters, goal, population = answer.batters, answer.question.goal, answer.population
     blocks: list[Block] = [_table(batters, goal), Paragraph(MEANS, "note")]
+    if len(_bats(batters)) == 1:  # what holds for everybody is the same for all who swing one bat
+        blocks.insert(0, Paragraph(for_everybody(batters[0].advice)))
     taken = dict.fromkeys(words for batter in batters for words in taken_for(batter.posterior.model))
     blocks += [Paragraph(words, "note") for words in taken]
     if answer.left_out:
@@ -91,7 +95,7 @@ def _table(batters: Sequence[TeamBatter], goal: Goal) -> Table:
         Column("scatter", "place"),
         Column("expected", scale, digits=digits),
         Column("best at", "place"),
-        Column("less scatter", scale, digits=digits, sign=True),
+        Column("less scatter", right=True),
         Column("a better bat"),
     ]
     rows: list[list[Cell]] = [
@@ -103,12 +107,17 @@ def _table(batters: Sequence[TeamBatter], goal: Goal) -> Table:
             float(batter.position_spread),
             float(batter.expected),
             float(batter.contact_point_from_tip),
-            float(batter.one_inch_less_scatter),
+            _less_scatter(batter, goal),
             _better(batter, scale, digits),
         ]
         for batter in batters
     ]
     return Table("", columns, rows)
+
+
+def _less_scatter(batter: TeamBatter, goal: Goal) -> Words:
+    worth = batter.advice.worth["position_spread"]
+    return goal_shown(worth.gain, goal, sign=True) if worth.own else "swings cannot tell"
 
 
 def _better(batter: TeamBatter, scale: str, digits: int | None) -> Words:
