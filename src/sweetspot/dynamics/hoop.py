@@ -318,7 +318,7 @@ def squeezing_force(beam: BeamModel) -> float:
 
     >>> from sweetspot import beam_model, catalog
     >>> round(squeezing_force(beam_model(catalog.bat("slow-pitch"))))
-    3580
+    3579
     """
     return barrel_compression(beam, from_tip=SQUEEZED_AT) * SQUEEZED_BY
 
