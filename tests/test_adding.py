@@ -176,7 +176,8 @@ ADDITIONS = {
         "assert 'It weighs 31.0 oz' in said('shrug', 'r161-ash')\n"
         "assert 'It weighs 879 g' in said('shrug', 'r161-ash', '--units', 'si')\n"
         "assert abs(json.loads(said('shrug', 'r161-ash', '--format', 'json'))['mass_kg'] - 0.879) < 1e-3\n",
-        (("cli/app.py", '    "paper": (', '    "shrug": ("shrug r161-ash",),\n'),),
+        (("cli/app.py", '    "paper": (', '    "shrug": ("shrug r161-ash",),\n'),
+         ("cli/app.py", '"paper", "drop"', '"shrug", ')),
     ),
 }  # fmt: skip
 
