@@ -24,6 +24,7 @@ from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.mass_fit import maximum_entropy_mass
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.equipment.racket import Racket, StringBed
 from sweetspot.equipment.section import of_oval_tube, of_walls
 from sweetspot.equipment.shell import WallPart
@@ -42,7 +43,7 @@ def analyses() -> dict[str, Analysis[Implement]]:
 
 def test_every_kind_is_in_the_catalogue() -> None:
     kinds = {type(catalog.implement(name)) for name in OTHERS}
-    assert kinds == {Racket, CricketBat, GolfClub, HockeyStick, TableTennisRacket}
+    assert kinds == {Racket, CricketBat, GolfClub, HockeyStick, Paddle, TableTennisRacket}
 
 
 @pytest.mark.parametrize("name", OTHERS)

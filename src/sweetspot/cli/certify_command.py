@@ -10,7 +10,6 @@ from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
 from sweetspot.cli.options.reading import DEFAULT_COLUMNS, ColumnOptions, Uncertainty
-from sweetspot.equipment.paddle import Paddle
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
@@ -74,6 +73,7 @@ def certify(
     from sweetspot.answers.ask_bat import certify as asked
     from sweetspot.catalog.implements import loaded_bat, loaded_implement
     from sweetspot.cli.output import patience, present
+    from sweetspot.equipment.paddle import Paddle
     from sweetspot.plausibility import parse
 
     if bat is None:
