@@ -26,9 +26,9 @@ class Lookup(NamedTuple):
 
     Parameters
     ----------
-    efficiency : coefficients of the collision efficiency q, shape (pieces, bands, *TERMS).
+    efficiency : coefficients of the collision efficiency q, shape (pieces, bands, 5, 6).
     give : of the bat's own mobilities, normal, around and tilting (`spring_mobilities`), shape (pieces, bands, 3,
-        *TERMS).
+        5, 6).
     certified : whether a cell is used, shape (pieces, bands).
     per_metre : pieces in a metre of the barrel.
     roots : ends of the bands, sqrt(m/s).

@@ -4,9 +4,8 @@ Along the line of centres a hit is fixed by the place and the closing speed, and
 friction. These are tabled; the frame of the hit, friction and spin are computed for every hit, so that the change
 from gripping to slipping is exact. The barrel is cut into equal pieces and closing speeds into bands. In each cell
 stands the polynomial through Chebyshev's nodes in the place and in the square root of the closing speed, in which hits
-are smoothest. Where such polynomials miss most it is held against the collision itself. A cell
-that misses by more than `TOLERANCE`, or where a ball is touched twice so that hits change in a jump, is not used: the
-kernel answers there.
+are smoothest. Where such polynomials miss most it is held against the collision itself. A cell that misses by more
+than `TOLERANCE`, or where a ball is touched twice so that hits change abruptly, is not used: the kernel answers there.
 """
 
 from __future__ import annotations
