@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -81,11 +81,6 @@ class ContactTable:
     def bat(self) -> Bat:
         """The bat."""
         return self.model.bat
-
-    @cached_property
-    def certified(self) -> float:
-        """The part of the cells that are used; elsewhere the kernel answers."""
-        return float(np.mean(self.lookup.certified))
 
     def efficiency(self, from_tip: ArrayLike, closing_speed: ArrayLike, *, threads: int | None = None) -> Array:
         """Return collision efficiency at places (m from the tip) and closing speeds (m/s), nan where there is none."""
