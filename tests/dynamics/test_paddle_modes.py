@@ -25,15 +25,9 @@ from sweetspot.equipment.implement import AddedMass
 from sweetspot.equipment.paddle import Paddle, SoftSpot
 from sweetspot.errors import InputError
 from sweetspot.units import INCH, MPH, POUND_FORCE
+from tests.paddles import paddle
 
 FIVE = 5 * INCH
-
-
-def paddle(**changes: object) -> Paddle:
-    """Return the catalogue's pickleball paddle, changed."""
-    tool = catalog.implement("pickleball-paddle")
-    assert isinstance(tool, Paddle)
-    return tool.replaced(**changes)
 
 
 def at(tool: Paddle, from_tip: float = FIVE) -> float:

@@ -6,12 +6,13 @@ import tomllib
 
 import pytest
 
-from sweetspot import beam_model, catalog, rigid_body
+from sweetspot import beam_model, rigid_body
 from sweetspot.catalog.files.read import implement_from_table
 from sweetspot.catalog.files.write import implement_toml
 from sweetspot.equipment.paddle import Paddle
 from sweetspot.equipment.stretch import stretched
 from sweetspot.errors import InputError
+from tests.paddles import paddle
 
 LEADED = """
 like = "pickleball-paddle"
@@ -21,13 +22,6 @@ position = "27.5 cm"
 mass = "12 g"
 beside = "9.5 cm"
 """
-
-
-def paddle(**changes: object) -> Paddle:
-    """Return the catalogue's pickleball paddle, changed."""
-    tool = catalog.implement("pickleball-paddle")
-    assert isinstance(tool, Paddle)
-    return tool.replaced(**changes)
 
 
 def test_it_weighs_and_swings_as_measured() -> None:

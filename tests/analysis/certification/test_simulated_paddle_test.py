@@ -19,15 +19,9 @@ from sweetspot.dynamics.paddle_modes import Clamp, face_tone
 from sweetspot.equipment.paddle import Paddle
 from sweetspot.errors import InputError
 from sweetspot.units import INCH, MPH
+from tests.paddles import paddle
 
 AXIS = 2 * INCH
-
-
-def paddle(**changes: object) -> Paddle:
-    """Return the catalogue's pickleball paddle, changed."""
-    tool = catalog.implement("pickleball-paddle")
-    assert isinstance(tool, Paddle)
-    return tool.replaced(**changes)
 
 
 def result_of(tool: Paddle, ball: str, *, mph: float, moi: float, from_tip: float | None = None) -> PaddleTest:
