@@ -316,21 +316,17 @@ def test_each_package_keeps_to_its_budget() -> None:
     assert not idle, f"lower the budget of {idle}"
 
 
-SEVERAL_MEANINGS = {
-    "Changed": 2,
-}  # fmt: skip
+SEVERAL_MEANINGS: dict[str, int] = {}
 """Class names that still mean several things, and how many. Nothing is added, and what is mended is taken out."""
 UNTYPED = {
     "answers": 1,
 }  # fmt: skip
 """How often `dict[str, Any]` may stand in a package. It only goes down: what crosses a border gets a type."""
 RIDDLES = {
-    "answers": 4, "web": 1,
+    "answers": 1, "web": 1,
 }  # fmt: skip
 """How many variables and parameters of a package may still have a name that does not say what they hold."""
-DIALECT = {
-    "analysis": 2, "answers": 3, "equipment": 1, "reports": 4, "validation": 2,
-}  # fmt: skip
+DIALECT: dict[str, int] = {}
 """How many words of the house's dialect may still stand in a package's texts."""
 
 

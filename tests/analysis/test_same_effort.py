@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from sweetspot import catalog
-from sweetspot.analysis.comparison import Changed, compare
+from sweetspot.analysis.comparison import ChangedBat, compare
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.motion.swing import Conditions
@@ -20,8 +20,8 @@ def swung(bat: Bat) -> Conditions:
     return standard_conditions(bat, bat_speed=SPEED)
 
 
-def changed(bat: Bat) -> Changed:
-    return Changed.of(bat, law=LAW)
+def changed(bat: Bat) -> ChangedBat:
+    return ChangedBat.of(bat, law=LAW)
 
 
 def test_a_bat_as_it_is_was_not_changed(r161: Bat) -> None:

@@ -233,7 +233,7 @@ def miss_costs(analysis: Analysis[Implement], distances: tuple[float, ...]) -> l
 
 
 def _cost(places: LawScan, distance: float) -> tuple[float, float]:
-    """Return what a miss costs on the hands' and on the tip's side of the best place of a scan, m/s."""
+    """Return the cost of a miss on the hands' and on the tip's side of the best place of a scan, m/s."""
     index, shift, best = top(places.exit_speed)
     place = float(places.position[index] + shift * (places.position[1] - places.position[0]))
     inside, outside = (

@@ -257,7 +257,7 @@ def _compared(
 
 
 @dataclass(frozen=True)
-class Changed:
+class ChangedBat:
     """A changed bat beside the bat that it was.
 
     ``before``, ``body_before``: the bat that the player's speed is known with. ``law``: how bat speed depends on the
@@ -271,7 +271,7 @@ class Changed:
     law: SwingLaw
 
     @classmethod
-    def of(cls, bat: Implement, *, law: SwingLaw) -> Changed:
+    def of(cls, bat: Implement, *, law: SwingLaw) -> ChangedBat:
         """Return a bat paired with what it was before it was changed, by its own description."""
         before = bat.before_changes()
         return cls(bat, rigid_body(beam_model(bat)), before, rigid_body(beam_model(before)), law)

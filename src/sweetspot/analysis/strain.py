@@ -38,7 +38,7 @@ GRAIN_POWER, ACROSS_GRAIN = 1.75, 0.07
 
 
 def grain_factor(slope: float) -> float:
-    """Return what a slope of the grain (rad) leaves of the strength in bending, by Hankinson's formula.
+    """Return the share of the bending strength left by a slope of the grain (rad), by Hankinson's formula.
 
     N / P = R / (sin^n s + R cos^n s), R = Q / P. The handbook's own table of slopes, 1 in 25, 20, 15, 10 and 5, has 96,
     93, 89, 81 and 55 %; the formula 95, 93, 89, 81 and 56 %.

@@ -1,7 +1,7 @@
 """Changes to an implement that people ask about: one entry a change, read once, for command, page and Python alike.
 
 What is changed stays the piece that it was: weights come on top, sizes are cut from it, what is not known of it is the
-same before and after. Of some changes nobody can know how far they went. Their entry has a published range; the ends of
+same before and after. The amount of some changes cannot be known. Their entry has a published range; the ends of
 it are carried as doubt.
 """
 
@@ -61,7 +61,7 @@ class _Change:
     allowed : least and most, SI.
     placed : whether it takes a place, ``@52cm``.
     wide : whether it is a hole, which may have a width behind its depth, ``x 0.75 in``.
-    open_range : of the amount where none is written, because nobody can know it.
+    open_range : of the amount where none is written, because it cannot be known.
     example : as it is written.
     """
 
@@ -97,8 +97,8 @@ def changed(implement: Implement, text: str) -> Changed:
         words = WORDS.match(part)
         name = (words["name"] or name).lower() if words else name
         if words is None or name not in CHANGES:
-            known = ", ".join(f'"{change.example}"' for change in CHANGES.values())
-            raise InputError(f"{text[:60]!r} names no change that is known; write for example {known}")
+            examples = ", ".join(f'"{change.example}"' for change in CHANGES.values())
+            raise InputError(f"{text[:60]!r} names no change that is known; write for example {examples}")
         change = CHANGES[name]
         place = _width(words["width"], part) if change.wide else _place(implement, change, words["place"], part)
         if words["width"] is not None and not change.wide:
@@ -246,8 +246,10 @@ def _softened(laminate: Laminate, lost: float) -> Laminate:
     """Return a laminate whose plies are softer across their fibres and in shear, where the resin carries."""
     plies = []
     for ply in laminate.plies:
-        made_of, kept = ply.material, 1 - lost
-        softer = made_of.replaced(transverse_modulus=made_of.across * kept, shear_modulus=made_of.shear * kept)
+        made_of, remaining = ply.material, 1 - lost
+        softer = made_of.replaced(
+            transverse_modulus=made_of.across * remaining, shear_modulus=made_of.shear * remaining
+        )
         plies.append(ply.replaced(material=softer))
     return laminate.replaced(plies=tuple(plies))
 
@@ -297,8 +299,8 @@ def _cut(implement: Implement, cut: float, _: float) -> Implement:
     """Return a wooden bat sawn off at the barrel end."""
     bat = _wooden(implement)
     profile, end = _outline(bat), bat.length - cut
-    kept = tuple((place, size) for place, size in profile if place < end)
-    return bat.reshaped((*kept, (end, float(bat.diameter_at(end))))).replaced(altered=True)
+    stations = tuple((place, size) for place, size in profile if place < end)
+    return bat.reshaped((*stations, (end, float(bat.diameter_at(end))))).replaced(altered=True)
 
 
 def _handle(implement: Implement, thicker: float, _: float) -> Implement:

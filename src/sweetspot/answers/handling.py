@@ -90,7 +90,7 @@ class Direction(NamedTuple):
 
 
 def direction(implement: Implement, body: RigidBody, impact: Impact, conditions: Conditions) -> Direction | None:
-    """Return where the ball of a hit goes; None on the line, and for what is round.
+    """Return the direction of the ball after a hit; None on the line, and for what is round.
 
     A club head is free and turns about a point far behind its face, which is bulged: see `side_shot`. Other faces turn
     about their own line: see `aside_angle`.

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Annotated, Literal, NamedTuple
 
 from sweetspot import catalog
-from sweetspot.analysis.comparison import Changed
+from sweetspot.analysis.comparison import ChangedBat
 from sweetspot.answers.records import INTERNAL, Speed
 from sweetspot.calibration.calibrated_file import known_deviations
 from sweetspot.calibration.measured import SEPARATOR, Measured, parse_measured
@@ -61,11 +61,11 @@ class SwungWith:
     same: Literal["effort", "speed"]
     bat_speed: Speed
     bat_speed_before: Speed
-    changed: Annotated[Changed, INTERNAL]
+    changed: Annotated[ChangedBat, INTERNAL]
     conditions: Annotated[Conditions, INTERNAL]
 
     @classmethod
-    def of(cls, changed: Changed, conditions: Conditions, *, same_speed: bool) -> SwungWith:
+    def of(cls, changed: ChangedBat, conditions: Conditions, *, same_speed: bool) -> SwungWith:
         """Return the swing of a changed bat under these conditions."""
         speed = conditions.swing.bat_speed
         before = speed if same_speed else changed.speed_before(conditions)
@@ -130,7 +130,7 @@ class HitSetup:
                     "out"
                 )
             return given, None
-        changed = Changed.of(implement, law=catalog.swing_law(catalog.sport(implement.sport).swing_law))
+        changed = ChangedBat.of(implement, law=catalog.swing_law(catalog.sport(implement.sport).swing_law))
         turned = given if self.same_speed else changed.with_same_effort(given)
         return turned, SwungWith.of(changed, turned, same_speed=self.same_speed)
 

@@ -129,7 +129,7 @@ class InnerWall(Validated):
 
 
 USUAL_KNOB_DEPTH, USUAL_CAP_DEPTH = 0.020, 0.010
-"""m along the bat that a knob and an end cap fill where nobody measured them: the thick part of a knob as the
+"""m along the bat that a knob and an end cap fill where they were not measured: the thick part of a knob as the
 catalogue's outlines draw it, and a plug's face with the skirt glued into the barrel (both assumed)."""
 
 

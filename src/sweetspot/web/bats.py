@@ -9,7 +9,7 @@ from typing import TypeVar
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
-from sweetspot.analysis.comparison import Changed
+from sweetspot.analysis.comparison import ChangedBat
 from sweetspot.analysis.what_if import varied
 from sweetspot.catalog.balls import ball_of_text, listed_ball
 from sweetspot.catalog.bats import bat_tables
@@ -116,7 +116,7 @@ def conditions_of(state: SwungState, bat: Bat) -> Conditions:
         return given if changed is None else changed.with_same_effort(given)
 
 
-def changed_bat(state: SwungState) -> Changed | None:
+def changed_bat(state: SwungState) -> ChangedBat | None:
     """Return a state's bat beside the one that its controls and its file changed; None: nothing was changed of it."""
     bat, held, before = described(state), _changed(_unchoked(state)), _listed(state).before_changes()
     if bat.length != before.length:  # another outline of another length is a bat of its own
@@ -126,7 +126,7 @@ def changed_bat(state: SwungState) -> Changed | None:
         return None
     with about("swing_law"):
         law = catalog.swing_law(named or usual(bat).swing_law)
-    return Changed(bat, _body_of(held), before, _body_of(before), law)
+    return ChangedBat(bat, _body_of(held), before, _body_of(before), law)
 
 
 def _listed(state: BatState) -> Bat:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from shlex import quote
 
 from sweetspot import catalog
-from sweetspot.analysis.comparison import Changed
+from sweetspot.analysis.comparison import ChangedBat
 from sweetspot.catalog.files.write import bat_toml, legible
 from sweetspot.units import MPH
 from sweetspot.web.bats import changed_bat, conditions_of, described, usual
@@ -182,7 +182,7 @@ def _speed_to_give(state: SwungState, *, beside: bool) -> float | None:
         return state.bat_speed_mph
     bat = described(state)
     speed = conditions_of(state, bat).swing.bat_speed
-    changed = None if beside else Changed.of(bat, law=catalog.swing_law(usual(bat).swing_law))
+    changed = None if beside else ChangedBat.of(bat, law=catalog.swing_law(usual(bat).swing_law))
     if changed is not None and state.same == "effort":
         speed = changed.speed_before(conditions_of(state, bat))
     given = round(speed / MPH, 9)

@@ -199,7 +199,7 @@ def soft_defaults(sport_name: str, ball: Ball, conditions: Conditions | None = N
 
 
 def known_misses(implement: Implement, from_tip: float | None = None) -> list[Block]:
-    """Return where an answer on an implement of the catalogue's kind is known to be wrong; nothing elsewhere.
+    """List the places where an answer on an implement of the catalogue's kind is known to be wrong; nothing elsewhere.
 
     Parameters
     ----------

@@ -64,7 +64,7 @@ def cost(loss: Number, *, drawn: bool) -> Sentence:
 
 
 def _beside(report: ReportAnswer, words: Terms) -> Sentence:
-    """Return what hits beside the middle line do to speed and direction; nothing for what has no flat face."""
+    """Describe how hits beside the middle line change speed and direction; nothing for what has no flat face."""
     if not report.off_center:
         return say("")
     misses = [

@@ -61,7 +61,7 @@ def hit_document(answer: HitAnswer) -> Document:
 
 
 def _aside(answer: HitAnswer, words: Terms) -> list[Block]:
-    """Return where a ball goes that met a flat face beside its line; nothing of any other."""
+    """Return the direction of a ball that met a flat face beside its line; nothing of any other."""
     if answer.aside is None:
         return []
     lateral, aside = Slot(abs(answer.impact.lateral), "place", round=True), Slot(abs(float(answer.aside)), "angle", 1)
@@ -269,7 +269,7 @@ def touched_again(impact: Impact, words: Terms) -> list[Sentence]:
 
 
 def in_hands(free: Number, held: Number | None, words: Terms) -> list[Block]:
-    """Return what typical hands would change, where that is more than `GRIP_MATTERS` of the exit speed; else nothing.
+    """Describe the change by typical hands, where that is more than `GRIP_MATTERS` of the exit speed; else nothing.
 
     Parameters
     ----------

@@ -273,7 +273,7 @@ def squared_restitution(*, ball: str, speed: float) -> float:
 
 
 def plates_approach(*, ball: str, force: float) -> float:
-    """Return how far two plates approach that press a ball with a slow force: twice the compression on a wall."""
+    """Return the approach of two plates that press a ball with a slow force: twice the compression on a wall."""
     thing = catalog.ball(ball)
     return float(2 * (force / thing.stiffness) ** (1 / thing.exponent))
 
@@ -320,7 +320,7 @@ def _racket_with(implement: str, **changes: float) -> Racket:
 
 
 def node_shift_by_swing_weight(*, implement: str, moi: float, other_moi: float) -> float:
-    """Return how far the head's node of mode 1 moves toward the tip when the swing weight grows from ``moi``."""
+    """Return the shift of the head's node of mode 1 toward the tip when the swing weight grows from ``moi``."""
     nodes = []
     for weight in (moi, other_moi):
         beam = beam_model(_racket_with(implement, moi=weight))
