@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from sweetspot import catalog
-from sweetspot.answers.setups import Place, Written, value_of
+from sweetspot.answers.setups import Exact, Place, value_of
 from sweetspot.catalog.aerodynamic_laws import DEFAULT_AERODYNAMICS, usual_spin_line
 from sweetspot.catalog.sports import pitched_aerodynamics
 from sweetspot.errors import InputError
@@ -161,8 +161,8 @@ class LaunchSetup:
     law : name of another law of drag and lift; None: the sport's.
     """
 
-    exit_speed: Written = to_si("100 mph", "speed")
-    launch_angle: Written = math.radians(28)
+    exit_speed: Exact = to_si("100 mph", "speed")
+    launch_angle: Exact = math.radians(28)
     spray: float | None = None
     bearing: float | None = None
     backspin: float | None = None

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import numpy as np
 
-from sweetspot.analysis.bat_analysis import Analysis, Loss, analyse_reduced, exit_speed_of, miss_costs
+from sweetspot.analysis.bat_analysis import Analysis, Loss, analyse_reduced, exit_speed_of, miss_costs, too_soft
 from sweetspot.analysis.face_maps import FaceMap, face_map
 from sweetspot.analysis.sweet_spot import SweetSpots
 from sweetspot.answers.answer import Answer, Uncertainty, with_draws
@@ -249,10 +249,10 @@ def report_of(
     plain = _described(analysis)
     best, place = plain.best_hit, analysis.sweet_spots.max_exit_speed
     if sources is None:
-        errors = errors_by_ball(analysis.held, analysis.conditions, place)
+        errors = None if too_soft(analysis) else errors_by_ball(analysis.held, analysis.conditions, place)
         return replace(plain, half_by_ball=None if errors is None else REACH * errors.whole)
     if not drawn:
-        doubt = speed_doubt(analysis, sources)
+        doubt = None if too_soft(analysis) else speed_doubt(analysis, sources)
         half = None if doubt is None else REACH * doubt.error
         return replace(plain, doubt=doubt, best_hit=replace(best, exit_speed_half=half))
     found = drawn_report(analysis, sources, misses=plain.misses, count=draws)

@@ -36,7 +36,7 @@ Written = float | Measured
 Place = float
 """m from the knob end; a text may count from the tip."""
 Exact = Written
-"""A number that is exact unless its error is written."""
+"""A number that is exact unless its error is written: what is asked about, as a swing, is no measurement."""
 ExactPlace = Written
 """A place that is exact unless its error is written."""
 
@@ -88,8 +88,8 @@ class HitSetup:
     same_speed : whether a changed bat, or each of several, is swung at the same speed in place of the same effort.
     """
 
-    pitch_speed: Written | None = None
-    bat_speed: Written | None = None
+    pitch_speed: Exact | None = None
+    bat_speed: Exact | None = None
     bat_speed_at: Place | None = None
     pivot: Place | None = None
     hands: Place | None = None
@@ -245,7 +245,7 @@ class FallSetup:
     """
 
     height: float | None = None
-    speed: Written | None = None
+    speed: Exact | None = None
     ball: str = "baseball"
     in_air: bool = False
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from sweetspot.equipment.ball import Ball
 from sweetspot.flight.aerodynamics import Aerodynamics
-from sweetspot.flight.air import Air
+from sweetspot.flight.air import CALM, Air
 from sweetspot.flight.batted_spin import TRACKED as TRACKED_SPIN
 from sweetspot.flight.batted_spin import USUAL_ANGLES, SpinLine, backspin_scatter, batted_ball_spin
 from sweetspot.flight.conditions import FlightConditions
@@ -109,8 +109,11 @@ def carry_errors(
 def home_run_share(conditions: FlightConditions) -> float:
     """Return the ``home_run`` of `CarryErrors`: what errors and spin have in the scatter of tracked home runs.
 
-    ``conditions``: ball, law and air of the flights.
+    Those were hit in the winds of a season, from both sides of the plate; one in still air stands for them.
+
+    ``conditions``: ball, law and air of the flights; their wind does not count.
     """
+    conditions = replace(conditions, wind=CALM)
     fast, far = (np.array([value]) for value in HOME_RUN)
     law = braked(conditions.aerodynamics)
     more = _carried(fast, far, replace(conditions, aerodynamics=law)) - _carried(fast, far, conditions)

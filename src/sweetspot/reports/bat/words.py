@@ -6,11 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.analysis.bat_analysis import dead_spot
+from sweetspot.analysis.bat_analysis import Analysis, bent_part, dead_spot, too_soft
 from sweetspot.analysis.position_scan import Scan
 from sweetspot.analysis.sweet_spot import ZONE_LOSS
 from sweetspot.answers.report import ReportAnswer
 from sweetspot.dynamics.rigid import RigidBody, effective_mass
+from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Terms
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
@@ -37,6 +38,8 @@ FOLLOWS = 0.005
 def answer_words(report: ReportAnswer) -> list[Sentence]:
     """Return the answer as a few paragraphs; every number that was assumed and not measured is said to be so."""
     analysis, words = report.analysis, words_of(report.analysis.bat.sport)
+    if too_soft(analysis):
+        return [_too_soft(analysis, words)]
     paragraphs = (
         _where(report, words),
         *best_in_doubt(analysis.best, words),
@@ -58,6 +61,8 @@ def from_tip(report: ReportAnswer, position: Number) -> Slot:
 
 def cost(loss: Number, *, drawn: bool) -> Sentence:
     """Return a cost with its interval: of draws, or in brackets that of two laws of the ball."""
+    if not np.isfinite(float(loss)):
+        return say("the ball stays on it")
     if drawn or not isinstance(loss, Interval):
         return Sentence((Slot(loss, "speed"),))
     return within(loss, "speed")
@@ -91,6 +96,18 @@ def _sure(report: ReportAnswer, words: Terms) -> Sentence:
     if report.half_by_ball is None:
         return say("")
     return in_words(", give or take {half:speed} by the {ball} alone", words, half=report.half_by_ball)
+
+
+def _too_soft(analysis: Analysis[Implement], words: Terms) -> Sentence:
+    """Return the sentence in place of an answer that would be none."""
+    if not np.isfinite(bent_part(analysis)):
+        return in_words("No {ball} leaves this {implement} in what is computed here: it is too soft.", words)
+    return in_words(
+        "This {implement} bends by {part:share} of its length while the {ball} is on it. What is computed here is for "
+        "implements that bend by a hundredth at most: the speeds below predict nothing.",
+        words,
+        part=bent_part(analysis),
+    )
 
 
 def _where(report: ReportAnswer, words: Terms) -> Sentence:
@@ -202,7 +219,8 @@ def _miss(report: ReportAnswer, words: Terms) -> Sentence:
     drawn = report.uncertainty is not None
     costs = []
     for miss in report.misses:
-        off = f"off the {words.implement}" if np.isnan(float(miss.outside)) else cost(miss.outside, drawn=drawn)
+        beyond = float(report.sweet_spots.max_exit_speed) + float(miss.distance) > float(report.scan.position[-1])
+        off = f"off the {words.implement}" if beyond else cost(miss.outside, drawn=drawn)
         sides = {"inside": cost(miss.inside, drawn=drawn), "outside": off}
         template = "{miss.distance:place, round}: {inside} towards the {hands}, {outside} towards the {tip}"
         costs.append(in_words(template, words, miss=miss, **sides))
