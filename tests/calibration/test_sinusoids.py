@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from sweetspot.calibration.measured import Measured, pooled
 from sweetspot.calibration.recording import BAT_BAND
-from sweetspot.calibration.sinusoids import Sinusoid, fit_sinusoids
+from sweetspot.calibration.sinusoids import Sinusoid, _gram, _model, _slopes, fit_sinusoids
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH
 
@@ -88,3 +90,29 @@ def test_pooled_errors() -> None:
     unlike = pooled([Measured(9.0, 0.1), Measured(10.0, 0.1), Measured(11.0, 0.1)])
     assert unlike.error == pytest.approx(1 / np.sqrt(3))  # the standard error of the three values themselves
     assert Measured(1.0, 0.3).widened(0.4).error == pytest.approx(0.5)
+
+
+@given(
+    st.lists(
+        st.tuples(st.floats(60, 5000), st.floats(0.001, 300), st.floats(-1, 1), st.floats(0.01, 1)),
+        min_size=1,
+        max_size=4,
+    )
+)
+def test_sums_of_series_are_the_inner_products_of_the_derivatives(rows: list[tuple[float, ...]]) -> None:
+    # exact: the derivatives written out at every sample and multiplied
+    parameters, time = np.array(rows), np.arange(3000) / 12_800
+    columns = []
+    for frequency, decay, cosine, sine in rows:
+        turn = np.exp((-decay + 2j * np.pi * frequency) * time)
+        size = cosine - 1j * sine
+        columns += [(2j * np.pi * time * size * turn).real, (-time * size * turn).real, turn.real, turn.imag]
+    expected = np.array(columns) @ np.array(columns).T
+    found = _gram(parameters, _slopes(parameters), time)
+    scale = np.sqrt(np.outer(np.diag(expected), np.diag(expected)))
+    np.testing.assert_allclose(found / scale, expected / scale, atol=1e-6)
+    np.testing.assert_allclose(
+        _model(parameters, time),
+        sum(np.real((a - 1j * b) * np.exp((-d + 2j * np.pi * f) * time)) for f, d, a, b in rows),
+        atol=1e-9,
+    )

@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,7 +50,13 @@ SLOWEST_DECAY, LARGEST_LOG = 1e-3, 12.0
 LOUD_PART = 0.9
 """Of the energy of a window, in the part of it of which a misfit speaks."""
 ROUGHLY, FINALLY = 5, 60
-"""Evaluations while sinusoids are still being found, and of the last fit."""
+"""Steps while sinusoids are still being found, and of the last fit."""
+SINGULAR = 1e-12
+"""Of the scaled normal equations, the least eigenvalue: tones that are one have errors so large that neither counts."""
+ROWS = 16
+"""Of the products of matrices that a fit is made of."""
+SETTLED = 1e-8
+"""Part of the squares that are left, by which a step that changes less ends a fit."""
 
 
 @dataclass(frozen=True)
@@ -114,61 +121,138 @@ def fit_sinusoids(samples: Array, rate: float, *, band: FrequencyBand, most: int
     return Fit(heard, _misfit(samples, fitted, rate, band), samples, fitted, rate)
 
 
+class _Powers(NamedTuple):
+    """Powers z^n of z = exp((-d + i w) dt) of each row (f, d, a, b), as products of coarse and fine ones.
+
+    ``coarse``, ``fine``: z^(m j) and z^l, shapes (k, -) and (k, m); so n = m j + l. Sums over all n are products of
+    matrices so small that no library shares them out to threads, which would take longer, and no array of k n numbers
+    is made.
+    """
+
+    coarse: NDArray[np.complex128]
+    fine: NDArray[np.complex128]
+
+
+def _powers(parameters: Array, time: Array) -> _Powers:
+    step, size = float(time[1] - time[0]), math.isqrt(len(time)) + 1
+    rate = (-parameters[:, 1] + 2j * np.pi * parameters[:, 0]) * step
+    rows = ROWS * -(-len(time) // (size * ROWS))
+    coarse = np.exp(np.multiply.outer(rate, size * np.arange(rows)))
+    return _Powers(coarse, np.exp(np.multiply.outer(rate, np.arange(size))))
+
+
 def _model(parameters: Array, time: Array) -> Array:
     """Return the sum of sinusoids with rows (f, d, a, b)."""
-    total = np.zeros_like(time)
-    for frequency, decay, cosine, sine in parameters:
-        phase = 2 * np.pi * frequency * time
-        total += np.exp(-decay * time) * (cosine * np.cos(phase) + sine * np.sin(phase))
-    return total
+    return _summed(parameters, _powers(parameters, time), len(time))
 
 
-def _jacobian(parameters: Array, time: Array) -> Array:
-    """Return the derivatives of `_model`, shape (n, 4 k)."""
-    columns = []
-    for frequency, decay, cosine, sine in parameters:
-        phase, envelope = 2 * np.pi * frequency * time, np.exp(-decay * time)
-        in_phase, ahead = envelope * np.cos(phase), envelope * np.sin(phase)
-        columns += [
-            2 * np.pi * time * (sine * in_phase - cosine * ahead),
-            -time * (cosine * in_phase + sine * ahead),
-            in_phase,
-            ahead,
-        ]
-    return np.array(columns).T
+def _summed(parameters: Array, powers: _Powers, count: int) -> Array:
+    size = parameters[:, 2] - 1j * parameters[:, 3]
+    coarse = (size[:, None] * powers.coarse).T.reshape(powers.coarse.shape[1] // ROWS, ROWS, len(size))
+    return np.asarray((coarse @ powers.fine).real.ravel()[:count])
+
+
+def _projected(powers: _Powers, samples: Array) -> NDArray[np.complex128]:
+    """Return the sum of z^n times the n-th sample, shape (k,)."""
+    filled = np.zeros((powers.coarse.shape[1] // ROWS, ROWS, powers.fine.shape[1]))
+    filled.ravel()[: len(samples)] = samples
+    sums = filled @ powers.fine.T
+    return np.asarray(np.einsum("kn,nk->k", powers.coarse, sums.reshape(powers.coarse.shape[::-1])))
+
+
+def _slopes(parameters: Array) -> NDArray[np.complex128]:
+    """Return the factors g of the model's derivatives by f, d, a and b, shape (k, 4).
+
+    Each derivative is Re(g z^n), those by f and d times t, where z^n are `_powers`.
+    """
+    size = parameters[:, 2] - 1j * parameters[:, 3]
+    return np.stack([2j * np.pi * size, -size, np.ones_like(size), np.full_like(size, -1j)], axis=1)
+
+
+def _gram(parameters: Array, slopes: NDArray[np.complex128], time: Array) -> Array:
+    """Return the inner products of the model's derivatives, shape (4 k, 4 k), from sums of geometric series.
+
+    sum Re(g z^n) Re(h y^n) = Re(g h sum (z y)^n + g h* sum (z y*)^n) / 2, with n or n^2 before it where t is.
+    """
+    step, count = float(time[1] - time[0]), len(time)
+    rate = np.asarray((-parameters[:, 1] + 2j * np.pi * parameters[:, 0]) * step, np.complex128)
+    order = np.array([1, 1, 0, 0])
+    times = (order[:, None] + order)[None, :, None, :]
+    total = np.zeros((len(parameters), 4, len(parameters), 4))
+    for other, factors in ((rate, slopes), (rate.conj(), slopes.conj())):
+        sums = _geometric(rate[:, None] + other, count)
+        pairs = np.where(times == 0, sums[0][:, None, :, None], sums[1][:, None, :, None] * step)
+        pairs = np.where(times == 2, sums[2][:, None, :, None] * step**2, pairs)
+        total += (slopes[:, :, None, None] * factors * pairs).real / 2
+    return total.reshape(4 * len(parameters), -1)
+
+
+def _geometric(exponent: NDArray[np.complex128], count: int) -> NDArray[np.complex128]:
+    """Return the sums of q^n, n q^n and n^2 q^n over n < ``count``, where q = e^exponent is not 1, shape (3, ...)."""
+    away, ratio = -np.expm1(exponent), np.exp(exponent)
+    last = np.exp(count * exponent)
+    plain = -np.expm1(count * exponent) / away
+    first = (ratio * plain - count * last) / away
+    second = (ratio * (plain + 2 * first) - count**2 * last) / away
+    return np.stack([plain, first, second])
 
 
 def _refined(parameters: Array, samples: Array, time: Array, *, trials: int) -> Array:
-    """Return the least-squares parameters nearest to the given ones; fitted in log d: decays stay positive."""
-    from scipy.optimize import least_squares
+    """Return the least-squares parameters nearest to the given ones; fitted in log d: decays stay positive.
 
-    def unpacked(unknowns: Array) -> Array:
-        rows = unknowns.reshape(-1, 4).copy()
-        rows[:, 1] = np.exp(np.minimum(rows[:, 1], LARGEST_LOG))
-        return rows
+    Levenberg and Marquardt's steps on the normal equations, which are sums of geometric series: what a room adds to a
+    tap costs little more than a clean one.
+    """
+    import scipy.linalg
 
-    def jacobian(unknowns: Array) -> Array:
-        rows = unpacked(unknowns)
-        matrix = _jacobian(rows, time)
-        matrix[:, 1::4] *= rows[:, 1]
-        return matrix
-
-    start = parameters.copy()
-    start[:, 1] = np.log(np.maximum(start[:, 1], SLOWEST_DECAY))
-
-    def misses(unknowns: Array) -> Array:
-        return _model(unpacked(unknowns), time) - samples
-
-    fit = least_squares(misses, start.ravel(), jac=jacobian, method="lm", x_scale="jac", max_nfev=trials, ftol=1e-10)
-    return unpacked(fit.x)
+    rows = parameters.copy()
+    rows[:, 1] = np.clip(rows[:, 1], SLOWEST_DECAY, math.exp(LARGEST_LOG))
+    powers = _powers(rows, time)
+    left = samples - _summed(rows, powers, len(time))
+    damping, growth, square = 1e-3, 2.0, float(left @ left)
+    for _ in range(trials):
+        slopes = _slopes(rows)
+        slopes[:, 1] *= rows[:, 1]
+        matrix = _gram(rows, slopes, time)
+        later, plain = _projected(powers, time * left), _projected(powers, left)
+        gradient = (slopes * np.stack([later, later, plain, plain], axis=1)).real.ravel()
+        scale = np.sqrt(np.maximum(np.diag(matrix), 1e-300))
+        whole = matrix / np.outer(scale, scale)
+        try:
+            factors = scipy.linalg.cho_factor(whole + damping * np.eye(len(whole)))
+        except scipy.linalg.LinAlgError:
+            damping, growth = damping * growth, 2 * growth
+            continue
+        step = scipy.linalg.cho_solve(factors, gradient / scale)
+        expected = float(step @ (damping * step + gradient / scale))
+        tried = rows + (step / scale).reshape(-1, 4)
+        tried[:, 1] = np.minimum(rows[:, 1] * np.exp(np.minimum((step / scale)[1::4], 2.0)), math.exp(LARGEST_LOG))
+        tried[:, 1] = np.maximum(tried[:, 1], SLOWEST_DECAY / 1e3)
+        new_powers = _powers(tried, time)
+        new_left = samples - _summed(tried, new_powers, len(time))
+        new_square = float(new_left @ new_left)
+        gain = (square - new_square) / max(expected, 1e-300)
+        if new_square < square:
+            settled = max(square - new_square, expected) < SETTLED * square
+            rows, powers, left, square = tried, new_powers, new_left, new_square
+            damping, growth = damping * max(1 / 3, 1 - (2 * gain - 1) ** 3), 2.0
+            if settled:
+                break
+        elif expected < SETTLED * square:
+            break
+        else:
+            damping, growth = damping * growth, 2 * growth
+    return rows
 
 
 def _next_peak(left: Array, found: Array, rate: float, band: FrequencyBand) -> Array | None:
     """Return a start (f, d, a, b) for the highest peak that stands out of its surroundings, or None."""
-    size = PADDING * len(left)
-    power = np.abs(np.fft.rfft(left, size)) ** 2
+    import scipy.fft
+
+    size = scipy.fft.next_fast_len(PADDING * len(left), real=True)
+    power = np.abs(scipy.fft.rfft(left, size)) ** 2
     frequency = np.asarray(np.fft.rfftfreq(size, 1 / rate), dtype=np.float64)
-    quiet = np.abs(np.fft.rfft(left[-len(left) // TAIL :], size)) ** 2
+    quiet = np.abs(scipy.fft.rfft(left[-len(left) // TAIL :], size)) ** 2
     inside = frequency > band.low  # strong tones above the band are taken out too: their skirts reach into it
     allowed = inside.copy()
     for near in found:
@@ -219,9 +303,10 @@ def _with_errors(parameters: Array, left: Array, time: Array) -> tuple[Sinusoid,
     if not len(parameters):
         return ()
     rate = 1 / (time[1] - time[0])
-    jacobian = _jacobian(parameters, time)
-    scale = np.linalg.norm(jacobian, axis=0)
-    covariance = np.linalg.pinv((jacobian / scale).T @ (jacobian / scale)) / np.outer(scale, scale)
+    normal = _gram(parameters, _slopes(parameters), time)
+    scale = np.sqrt(np.diag(normal))
+    spread, directions = np.linalg.eigh(normal / np.outer(scale, scale))
+    covariance = (directions / np.maximum(spread, SINGULAR)) @ directions.T / np.outer(scale, scale)
     density = np.abs(np.fft.rfft(left)) ** 2 / len(left)  # white noise of variance s^2 has s^2 in every bin
     frequency = np.fft.rfftfreq(len(left), 1 / rate)
     sinusoids = []

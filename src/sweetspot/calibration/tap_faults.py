@@ -196,12 +196,16 @@ def blows(samples: Array, rate: float, *, finest_step: float = 0.0) -> Array:
     if count < 4 * ORDER:
         return np.zeros(0)
     padded = np.concatenate([np.zeros(ORDER), samples])
-    past = np.lib.stride_tricks.sliding_window_view(padded[:-1], ORDER)
-    ringing = slice(min(int(SETTLE * rate), count // 2), None)
-    normal = past[ringing].T @ past[ringing]
+    first = min(int(SETTLE * rate), count // 2)
+    ringing, normal = padded[first : count + ORDER - 1], np.zeros((ORDER, ORDER))
+    normal[0] = normal[:, 0] = np.correlate(ringing, padded[first:count])
+    for row in range(1, ORDER):  # a row is the one above but for a sample at either end
+        start, end = padded[first + row - 1 : first + ORDER - 1], padded[count + row - 1 : count + ORDER - 1]
+        normal[row, row:] = normal[row - 1, row - 1 : -1] - start[0] * start + end[0] * end
+        normal[row:, row] = normal[row, row:]
     normal += 1e-9 * max(np.trace(normal), 1e-300) / ORDER * np.eye(ORDER)
-    weights = scipy.linalg.solve(normal, past[ringing].T @ samples[ringing], assume_a="pos")
-    surprise = np.abs(samples - past @ weights)
+    weights = scipy.linalg.solve(normal, np.correlate(ringing, samples[first:]), assume_a="pos")
+    surprise = np.abs(samples - np.correlate(padded[:-1], weights))
     size = 2 * int(0.02 * rate) + 1
     around = scipy.ndimage.median_filter(surprise, size=size, mode="nearest")
     inside = scipy.ndimage.median_filter(surprise, size=size, mode="reflect")
