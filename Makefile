@@ -6,7 +6,7 @@ BAT := r161-ash
 OUT := report
 unexport PYTHONDONTWRITEBYTECODE  # what one run has compiled the next need not, nor each program that a test starts
 
-.PHONY: report app browser test test-lowest quick-lowest coverage lint js types docs pins mutants evidence bench bench-quick format lock fuzz house clean
+.PHONY: report app browser test test-lowest quick-lowest coverage lint js types docs pins mutants evidence bench bench-quick format lock fuzz metamorphic house clean
 
 report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=folder
 	$(BIN)/sweetspot report $(BAT) --out $(OUT)
@@ -91,6 +91,10 @@ mutants: $(VENV)/.dev  ## deliberate mistakes in physics and catalogue that the 
 
 evidence: $(VENV)/.dev  ## which published rows notice a constant of the physics that is wrong; goes on where it stopped
 	$(BIN)/python tools/evidence.py
+
+MANY := 100
+metamorphic: $(VENV)/.dev  ## relations between answers on MANY times as many generated bats, flights and files as usual
+	SWEETSPOT_EXAMPLES=$(MANY) $(BIN)/python -m pytest -q -n 2 --dist worksteal tests/metamorphic
 
 fuzz: $(VENV)/.dev  ## a million generated inputs; goes on where it stopped, keeps what breaks something
 	$(BIN)/python tools/fuzz.py
