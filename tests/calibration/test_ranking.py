@@ -78,10 +78,10 @@ def test_what_is_said_agrees_in_every_case() -> None:
     """Where the order may be chance, no other reason is looked for; where it is not, neighbours may still be alike."""
     apart = ranked({"usual": {}, "limp": {"modulus": -0.35}})
     for scatter, not_known, wood, said, unsaid in (
-        (3.0, 1.0, 1.0, "neighbours in it may be alike", "may be chance"),
+        (3.0, 1.0, 1.0, "Neighbours in the list may be equal", "may be chance"),
         (3.0, 1.0, 1.0, "look for another reason", "what is not known"),
         (1.2, 1.0, 0.5, "which what is not known of each may do by itself", "look for another reason"),
-        (1.2, 1.0, 0.5, "the order may be chance", "means something"),
+        (1.2, 1.0, 0.5, "The order may be chance", "really differ"),
         (1.2, 0.5, 2.0, "no more than wood does by itself", "may be chance"),
     ):
         by_chance, wood_by_chance = (greatest_scatter(2) * size for size in (not_known, wood))

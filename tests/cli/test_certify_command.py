@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -49,6 +50,18 @@ def test_limits_of_the_past_are_told_as_such_in_the_first_sentence(run: Run) -> 
     code, out, _ = run("certify", "youth-30", "--league", "little-league")
     first = " ".join(out.split("\n\n")[1].split())
     assert code == 0 and "limits that hold no more" in first and "keeps every rule" not in out
+
+
+def test_the_verdict_the_one_number_and_the_rules_that_apply_come_first(run: Run) -> None:
+    """The tables behind them, and rules that do not apply, are printed for who asks."""
+    _, short, _ = run("certify", "r161-ash")
+    _, long, _ = run("certify", "r161-ash", "--details")
+    _, verdict, number, *_ = re.split(r"\n\s*\n", short)
+    assert "surely keeps 3 of 4 rules" in verdict and number.startswith("BBCOR 0.49")
+    measure = json.loads(run("certify", "r161-ash", "--format", "json")[1])["measure"]
+    assert measure["quantity"] == "bbcor" and measure["value_low"] < measure["value"] < measure["value_high"] < 0.5
+    assert "Simulated test" not in short and "does not apply" not in short and len(short.splitlines()) < 20
+    assert "Simulated test" in long and "does not apply" in long
 
 
 def test_json_keys_and_units(run: Run) -> None:
@@ -114,7 +127,7 @@ def test_a_wall_of_the_catalogue_is_said_to_be_it(run: Run, tmp_path: Path) -> N
 
 
 def test_a_softball_is_tested_as_a_softball(run: Run) -> None:
-    words = " ".join(run("certify", "slow-pitch")[1].split())
+    words = " ".join(run("certify", "slow-pitch", "--details")[1].split())
     assert "25 mph ball, 85 mph bat" in words and "ball at 110 mph" in words
     assert "136 mph" not in words and "BBCOR of the test" not in words
 
@@ -161,7 +174,7 @@ def test_where_nothing_can_be_decided_nothing_is_passed(run: Run) -> None:
 
 
 def test_units_are_the_readers_and_a_page_is_written(run: Run, tmp_path: Path) -> None:
-    code, out, _ = run("certify", "russell-b5", "--units", "si", "--out", str(tmp_path))
+    code, out, _ = run("certify", "russell-b5", "--units", "si", "--details", "--out", str(tmp_path))
     words = " ".join(out.split())
     assert code == 1 and "Russell B5, hollow fails: BBCOR of NCAA and NFHS (0.5" in words
     assert "ball at 61 m/s" in words and "mph" not in words and " oz" not in words

@@ -177,7 +177,7 @@ def test_the_best_way_to_hit(tell: Tell) -> None:
     text = text_of(document, US)
     assert document.data["swings"]
     for row, line in zip(document.data["swings"], text.splitlines(), strict=False):
-        agrees(line.split("axis")[1], row["undercut_m"], "below", "above")
+        agrees(line.split("tip, ")[1], row["undercut_m"], "below its", "above its")
         assert US.number(row["carry_m"], "distance") in line and row["pitch"] in line
 
 

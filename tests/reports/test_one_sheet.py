@@ -36,8 +36,6 @@ COMMANDS = (
     ("design", 0.0, ("design", "mlb-a", "--population", "8", "--generations", "1")),
 )
 """Name of the page, points of its picture's small letters that stay on paper, and the command."""
-SHEETS = {"paper": 2}
-"""The paper's chain has more rows than one sheet holds in letters that can be read."""
 
 
 @pytest.fixture(scope="module")
@@ -94,7 +92,7 @@ def test_a_page_is_one_sheet(
     opened.set_content(page)
     for paper in ("A4", "Letter"):
         printed = opened.pdf(format=paper, margin=MARGINS)  # type: ignore[arg-type]
-        assert len(re.findall(rb"/Type\s*/Page\b", printed)) == SHEETS.get(name, 1), paper
+        assert len(re.findall(rb"/Type\s*/Page\b", printed)) == 1, paper
     if "<figure" in page and "rules many" not in page:
         the_picture_takes_what_is_left(opened, least, A4)
         if name == "compare":

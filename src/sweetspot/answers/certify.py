@@ -19,7 +19,7 @@ from sweetspot.analysis.certification.rules import (
 )
 from sweetspot.analysis.certification.shot_statistics import ShotStatistics, measure
 from sweetspot.analysis.certification.shots import Shots
-from sweetspot.analysis.certification.simulated_test import Certification, certify
+from sweetspot.analysis.certification.simulated_test import BASEBALL_TEST, Certification, certify
 from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, with_draws
 from sweetspot.answers.bat_test import (
     MeasuredShots,
@@ -39,7 +39,7 @@ from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
-from sweetspot.numerics.interval import Number
+from sweetspot.numerics.interval import Interval, Number
 from sweetspot.uncertainty.drawn_tests import DrawnTest, drawn_test, sources_of_test
 from sweetspot.uncertainty.sources import DRAWS, Sources
 
@@ -102,12 +102,31 @@ class RuleChance:
 
 
 @dataclass(frozen=True, kw_only=True)
+class TestedMeasure:
+    """The one number that a test is made for: that of the first limit on liveliness, else the game's own.
+
+    Parameters
+    ----------
+    value : with its 90 % interval, in ``unit``, SI.
+    position_from_tip : where on the barrel it was found.
+    """
+
+    __test__ = False
+
+    quantity: str
+    value: Interval
+    unit: str
+    position_from_tip: Length
+
+
+@dataclass(frozen=True, kw_only=True)
 class CertifyAnswer(Answer):
     """A bat, its test, and every rule held against it.
 
     Parameters
     ----------
     ball : that was fired.
+    measure : the one number that the test is made for.
     test, shots : the simulated test, or what measured shots say.
     passed : whether no rule is broken, one is kept, and the test decides the rules that it is made for.
     walls : the barrel wall that just keeps each limit; None: it was not asked.
@@ -118,6 +137,7 @@ class CertifyAnswer(Answer):
 
     bat: MassProperties
     ball: str
+    measure: TestedMeasure
     test: SimulatedTest | None = None
     shots: MeasuredShots | None = None
     checks: tuple[RuleCheck, ...]
@@ -237,6 +257,7 @@ def certificate_of(
     plain = CertifyAnswer(
         bat=mass_properties(bat, body),
         ball=ball.name,
+        measure=_measure(test, checks, length=bat.length),
         test=simulated,
         shots=measured_shots(test, shots) if isinstance(test, ShotStatistics) and shots is not None else None,
         checks=checks,
@@ -255,6 +276,27 @@ def certificate_of(
     drawn = drawn_test(beam_model(bat), conditions, asked, test, count=question.draws)
     likely = _with_chances(plain, [chance_of_draws(each.outcome, drawn) for each in checks])
     return with_draws(likely, DrawnAnswer(drawn.draws.normal, _columns(checks, drawn)), asked, of="test.bbcor")
+
+
+def _measure(test: Certification | ShotStatistics, checks: Sequence[RuleCheck], *, length: float) -> TestedMeasure:
+    """Return the number of a test whose limit decides, or the game's own where there is no limit."""
+    found = {name: each for name, each in test.findings().items() if each.value is not None}
+    limited = [
+        check.quantity
+        for check in checks
+        if check.quantity in PERFORMANCE and check.quantity in found and check.outcome.applies
+    ]
+    usual = "bbcor" if test.swung == BASEBALL_TEST or "bpf" not in found else "bpf"
+    name = limited[0] if limited else usual
+    value = float(found[name].value or 0.0)
+    ends = found[name].interval or (value, value)
+    scan = test if isinstance(test, ShotStatistics) else test.slow if name == "bpf" else test.fast
+    return TestedMeasure(
+        quantity=name,
+        value=Interval(value, *ends),
+        unit=QUANTITIES[name][1],
+        position_from_tip=length - scan.best_position,
+    )
 
 
 def rule_check(league: League, check: Check) -> RuleCheck:

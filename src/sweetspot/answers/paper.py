@@ -12,13 +12,15 @@ from sweetspot.answers.setups import SwungWith
 from sweetspot.equipment.bat import Bat
 from sweetspot.papers.chain import paper_rows
 from sweetspot.papers.choices import Choices
+from sweetspot.papers.claims import PaperClaim, paper_claims
 from sweetspot.papers.formulas import PaperRow
 
 
 @dataclass(frozen=True, kw_only=True)
 class PaperAnswer(Answer):
-    """The paper's statements about one bat, in the paper's order; numbers are in the unit of their row."""
+    """The paper's claims with their verdicts, and its statements about one bat; each row's numbers are in its unit."""
 
+    claims: tuple[PaperClaim, ...]
     rows: tuple[PaperRow, ...]
     swung_with: SwungWith | None = None
     analysis: Annotated[Analysis[Bat], INTERNAL]
@@ -26,4 +28,5 @@ class PaperAnswer(Answer):
 
 def paper_answer(analysis: Analysis[Bat], choices: Choices) -> PaperAnswer:
     """Return the paper's chain for one analysed bat; see `paper_rows`."""
-    return PaperAnswer(rows=tuple(paper_rows(analysis, choices)), analysis=analysis)
+    rows = tuple(paper_rows(analysis, choices))
+    return PaperAnswer(claims=paper_claims(analysis, rows), rows=rows, analysis=analysis)

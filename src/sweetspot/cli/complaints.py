@@ -104,6 +104,7 @@ OTHER_NAMES = {
     "--temp": "--temperature",
     "--weight": "--mass",
     "--ballpark": "--park",
+    "--appendix": "--details",
     "-o": "--out",
 }
 """Of options, as people call them who bring other programs' words; no command has an option of such a name."""

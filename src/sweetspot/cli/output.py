@@ -83,7 +83,7 @@ def _width_of_pipe() -> int:
 def present(answer: Answer | Document, options: OutputOptions, *, long: bool = False) -> int:
     """Print an answer as it was asked for, its files written first, and return the exit code.
 
-    ``long``: whether a printed page goes on after its first sheet.
+    ``long``: whether a printed page goes on after its first sheet, as it does for who asks for details.
     """
     from sweetspot.reports.notebook import document_of
 
@@ -93,13 +93,15 @@ def present(answer: Answer | Document, options: OutputOptions, *, long: bool = F
     if options.out is not None:
         from sweetspot.reports.files import write_document
 
-        written = write_document(document, options.out, reader=document.reader_of(options.units), long=long)
+        written = write_document(
+            document, options.out, reader=document.reader_of(options.units), long=long or options.details
+        )
     if options.format == "json":
         print_json(document.data)
     elif options.format == "csv":
         print_csv(document.rows)
     else:
-        _print(document, document.reader_of(options.units))
+        _print(document.unfolded if options.details else document, document.reader_of(options.units))
     if written:
         print(f"sweetspot: wrote {', '.join(map(str, written))}", file=sys.stderr)
     return 0 if document.passed else 1

@@ -15,9 +15,6 @@ def report(
     bat: Annotated[str, Parameter(help="Name in the catalogue (see `sweetspot bats`) or a TOML file.")] = "r161-ash",
     /,
     *,
-    appendix: Annotated[
-        bool, Parameter(negative="", help="Print tables, constants and sources after the one page of --out.")
-    ] = False,
     uncertainty: Uncertainty = False,
     swing: SwingOptions = DEFAULT_SWING,
     output: OutputOptions = DEFAULT_OUTPUT,
@@ -35,4 +32,4 @@ def report(
     setup = swing.setup(loaded.implement)
     with patience():
         answer = report_or_tones(loaded, setup=setup, uncertainty=uncertainty)
-    return present(answer, output, long=appendix)
+    return present(answer, output)

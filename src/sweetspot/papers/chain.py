@@ -22,6 +22,7 @@ from sweetspot.flight.sweep import BattedBall
 from sweetspot.flight.trajectory import fly
 from sweetspot.papers import formulas as paper
 from sweetspot.papers.choices import METAL_BAT, Choices, can_be_drilled, corked_analysis, paper_metal_wall
+from sweetspot.papers.claims import STILL
 from sweetspot.papers.formulas import PaperRow
 from sweetspot.units import MPH
 
@@ -31,8 +32,6 @@ LAUNCH_ANGLE = math.radians(28)
 """Of a long fly ball; the paper names none."""
 LIVELIER = 0.05
 """Of a ball's restitution: more than any two balls of one league differ by."""
-STILL = 5e-3
-"""m by which a best place may move and still be called the same: a player scatters by ten times as much."""
 
 
 def paper_rows(analysis: Analysis, choices: Choices | None = None) -> list[PaperRow]:

@@ -21,6 +21,7 @@ from sweetspot.reports.document import (
     as_columns,
     values_table,
 )
+from sweetspot.reports.paper.claims import claims_headline, claims_table
 from sweetspot.reports.paper.statements import CHAIN, StatedRow, stated
 from sweetspot.reports.quantities import SI, Reader
 from sweetspot.reports.sentences import Sentence, Slot, say
@@ -155,9 +156,12 @@ def paper_document(answer: PaperAnswer) -> Document:
     data = answer.to_dict() | {"rows": [to_dict(stated(row)) for row in answer.rows]}
     return Document(
         name="paper",
-        title="The paper's chain",
+        title="The paper",
+        subtitle=answer.analysis.bat.name,
         kind="Paper",
-        blocks=[paper_table(answer.rows)],
+        blocks=[Paragraph(claims_headline(answer.claims)), claims_table(answer.claims)],
+        reader=CHAIN,
+        appendix=[paper_table(answer.rows, "Every equation, in the paper's order")],
         data=data,
         rows=as_columns(data["rows"]),
     )

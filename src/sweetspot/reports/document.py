@@ -7,7 +7,7 @@ puts a number beside its unit.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from itertools import chain, product
 from pkgutil import resolve_name
@@ -222,7 +222,7 @@ class Document(ShownInNotebooks):
     reader : who reads unless somebody says otherwise: the sport's people.
     kind : what it is, over the title of a page.
     details : tables that a terminal shows too, and a page when it is opened.
-    appendix : what only a page shows when it is opened, or what makes it; a terminal does not wait for it.
+    appendix : what a page shows when it is opened and a terminal with --details, or what makes it.
     drawing : the picture that is written as a file of its own.
     passed : whether what was checked holds.
     made_for : the person it is for; "": not given.
@@ -250,6 +250,11 @@ class Document(ShownInNotebooks):
     def appended(self) -> Sequence[Block]:
         """The appendix, made when first asked for."""
         return self.appendix() if callable(self.appendix) else self.appendix
+
+    @property
+    def unfolded(self) -> Document:
+        """The same with details and appendix among its blocks."""
+        return replace(self, blocks=[*self.blocks, *self.details, *self.appended], details=(), appendix=())
 
     def reader_of(self, system: System | None) -> Reader:
         """Return who reads: of a system of units, or the sport's people where none is named."""

@@ -54,17 +54,18 @@ class Grid:
             name, values = self.across
             heads += [Column(Sentence((varied(name, value),)), right=True) for value in values]
         rows: list[list[Cell]] = [
-            [varied(self.down[0], first), *(self._shown(float(value)) for value in row)]
+            [varied(self.down[0], first), *(self.cell(float(value)) for value in row)]
             for first, row in zip(self.down[1], self.values, strict=True)
         ]
         return Table(self.title, heads, rows)
 
-    def _shown(self, value: float) -> Slot:
+    def cell(self, value: float) -> Slot:
+        """Return one answer, without its unit."""
         return Slot(value, QUANTITIES[self.answer].scale, DIGITS.get(self.answer)).bare
 
     def number(self, value: float, reading: Reader) -> str:
         """Return one answer as a reader sees it, without its unit."""
-        return self._shown(value).read(reading)
+        return self.cell(value).read(reading)
 
 
 def varied(name: str, value: float) -> Slot:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -20,9 +21,9 @@ from sweetspot.reports.document import (
     cells_as_columns,
     drawn,
 )
-from sweetspot.reports.grid import Grid
+from sweetspot.reports.grid import Grid, varied
 from sweetspot.reports.quantities import key
-from sweetspot.reports.sentences import Sentence, Slot, Span, say
+from sweetspot.reports.sentences import Sentence, Slot, Span, joined, say
 from sweetspot.units import grouped
 
 
@@ -124,7 +125,52 @@ def fly_table_document(answer: FlyTableAnswer) -> Document:
     cell, down, data = answer.question.cell, answer.rows.varied, answer.to_dict()
     assert down is not None
     grid = Grid(cell, down, answer.columns.varied, getattr(answer.answers, cell))
-    return grid_document(grid, name="fly", kind="Table of flights", data=data, rows=cells_as_columns(data))
+    document = grid_document(grid, name="fly", kind="Table of flights", data=data, rows=cells_as_columns(data))
+    blocks = [Paragraph(_greatest(grid)), *document.blocks, Paragraph(_held(answer), "note")]
+    return replace(document, blocks=blocks)
+
+
+def _greatest(grid: Grid) -> Sentence:
+    """Return the greatest answer of a table, and where in it."""
+    name, values = grid.answer.replace("_", " "), grid.values
+    if not np.isfinite(values).any():
+        return say("No ball of this table came down.")
+    row, column = map(int, np.unravel_index(int(np.nanargmax(values)), values.shape))
+    sides = [(grid.down, row)] if grid.across is None else [(grid.down, row), (grid.across, column)]
+    at = [say("{what} {value}", what=what.replace("_", " "), value=replace(varied(what, float(each[place])), unit=True))
+          for (what, each), place in sides]  # fmt: skip
+    greatest = replace(grid.cell(float(values[row, column])), unit=True)
+    most = "Farthest" if grid.answer == "carry" else f"Greatest {name}"
+    return say("{most} of this table: {greatest}, at {at}.", most=most, greatest=greatest,
+               at=joined(at, " and "))  # fmt: skip
+
+
+def _held(answer: FlyTableAnswer) -> Sentence:
+    """Return the conditions that every cell shares: launch, spin and air, as far as they are not varied."""
+    hit = answer.question.hit
+    free = {side[0] for side in (answer.rows.varied, answer.columns.varied) if side is not None}
+    parts = [
+        say("{name} {value}", name=name.replace("_", " "), value=Slot(getattr(hit, name), HELD[name]))
+        for name in HELD
+        if name not in free and getattr(hit, name) is not None
+    ]
+    usual = [name for name in ("backspin", "sidespin") if name not in free and getattr(hit, name) is None]
+    parts += [say("{spins} as such hits usually have", spins=" and ".join(usual))] if usual else []
+    return say("In every cell: {ball}; {parts}.", ball=answer.question.ball.name, parts=joined(parts, ", "))
+
+
+HELD = {
+    "exit_speed": "speed",
+    "launch_angle": "angle",
+    "spray": "angle",
+    "backspin": "spin",
+    "sidespin": "spin",
+    "temperature": "temperature",
+    "humidity": "share",
+    "elevation": "elevation",
+    "wind_speed": "speed",
+}
+"""Numbers of a hit and its air that a table of flights says it holds, with their scales."""
 
 
 def grid_document(

@@ -26,6 +26,7 @@ def optimum_document(answer: OptimumAnswer) -> Document:
         blocks += [Paragraph(_swing_words(found, length=bat.length)) for found in answer.swings]
         blocks.append(_swings(answer.swings, length=bat.length))
     if answer.launches is not None:
+        blocks += [] if answer.swings else [Paragraph(_launch_words(answer.launches))]
         blocks.append(_launches(answer.launches))
     if answer.parks is not None:
         blocks += [Paragraph(_park_words(answer.parks)), _parks(answer.parks)]
@@ -54,14 +55,25 @@ def optimum_document(answer: OptimumAnswer) -> Document:
 def _swing_words(best: FarthestSwing, *, length: float) -> Sentence:
     below = float(best.undercut) >= 0
     return say(
-        "A {best.pitch}, {speed:speed, 0} at the plate, carries farthest, {best.carry:distance}, met {place:place} "
-        "from the tip with the bat's axis {offset:offset} {side} the ball's centre and rising at "
-        "{best.attack_angle:angle}.",
+        "To hit a {best.pitch}, {speed:speed, 0} at the plate, farthest ({best.carry:distance}): meet it {place:place} "
+        "from the tip, {offset:offset} {side} its centre, swinging {way} {attack:angle}.",
         best=best,
         speed=float(best.pitch_speed),
         place=length - best.position,
         offset=best.undercut if below else -best.undercut,
         side="below" if below else "above",
+        way="up" if float(best.attack_angle) >= 0 else "down",
+        attack=best.attack_angle if float(best.attack_angle) >= 0 else -best.attack_angle,
+    )
+
+
+def _launch_words(launches: Sequence[FarthestLaunch]) -> Sentence:
+    """Return the best launch angle of the fastest ball that was asked about."""
+    best = max(launches, key=lambda launch: float(launch.exit_speed))
+    return say(
+        "A ball off the bat at {best.exit_speed:speed, 0} carries farthest, {best.carry:distance}, sent "
+        "{best.launch_angle:angle} up.",
+        best=best,
     )
 
 

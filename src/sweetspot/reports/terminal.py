@@ -25,6 +25,7 @@ ROOM = 110
 SHORT = 32
 """Characters of a cell that a line may be kept whole for."""
 DOUBT = "±"
+MORE = "More with --details."
 WORD = 14
 """Characters of a word that no column is too narrow for, however narrow the screen."""
 STYLES = {"text": "", "note": "dim", "warning": "yellow"}
@@ -45,7 +46,8 @@ def to_terminal(document: parts.Document, reader: Reader, *, encoding: str = "ut
     if document.made_for:
         title.append(f"  for {document.made_for}")
     heading: list[RenderableType] = [screen.as_lines(title), Text()] if title.plain else []
-    return Group(*heading, *_rendered([*document.blocks, *document.details], screen))
+    more = [Text(MORE, style="dim"), Text()] if document.appendix else []
+    return Group(*heading, *_rendered([*document.blocks, *document.details], screen), *more)
 
 
 @dataclass(frozen=True)

@@ -168,6 +168,11 @@ class Check:
     reason: str
 
     @property
+    def applies(self) -> bool:
+        """Whether the rule holds for what was tested at all."""
+        return self.verdict is not Verdict.NOT_APPLICABLE
+
+    @property
     def decided(self) -> bool:
         """Whether it is a pass or a fail."""
         return self.verdict in (Verdict.PASS, Verdict.FAIL)

@@ -35,6 +35,9 @@ class OutputOptions(AnswerOptions):
     """Units and format of an answer, and the files it is written to."""
 
     title: Annotated[str, Parameter(help="Heading of the answer and its page.")] = ""
+    details: Annotated[
+        bool, Parameter(negative="", help="Also print the tables behind the answer; a page opens them.")
+    ] = False
     made_for: Annotated[str, Parameter(name="--for", help="Whom it is for, named at the head of the page.")] = ""
     out: Annotated[
         Path | None, Parameter(help="Folder for the answer as a page to print, pictures and JSON, made if need be.")

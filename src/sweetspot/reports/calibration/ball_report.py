@@ -34,9 +34,12 @@ def _verdict(answer: CalibrateBallAnswer) -> Sentence:
     if not answer.bounces:
         return say("No bounce was measured: its restitution stays that of {like}.", like=answer.question.like)
     change = answer.restitution.value - answer.restitution_before.value
+    half = answer.restitution.half_width
+    half = answer.restitution.half_width
     sentences = [
         say(
-            "It returns {now} of a speed of {speed:speed, 0}, {change:ratio, sign} beside the mean {like}.",
+            "{verdict} the mean {like}: it returns {now} of a speed of {speed:speed, 0}, {change:ratio, sign}.",
+            verdict="Livelier than" if change > half else "Deader than" if change < -half else "As lively as",
             now=measured_words(answer.restitution, "ratio"),
             speed=answer.reference_speed,
             change=change,

@@ -127,15 +127,14 @@ def ranking_words(answer: RankAnswer) -> Sentence:
     sizes = {
         "scatter": Slot(answer.scatter, "speed_change", 2),
         "chance": Slot(answer.by_chance, "speed_change", 2),
-        "doubt": Slot(answer.not_known, "speed_change", 2),
         "wood": Slot(answer.wood, "speed_change", 2),
     }
     verdict = (
-        "They differ by {scatter} (one sigma); {things} all alike would seem to differ by up to {chance}, for {doubt} "
-        "is not known of each: the order as a whole means something, neighbours in it may be alike."
+        "The {things} really differ, by about {scatter}; measuring error alone would give {chance} at most. "
+        "Neighbours in the list may be equal."
         if answer.beyond_doubt
-        else "They differ by {scatter} (one sigma); {things} all alike may seem to differ by up to {chance}, for "
-        "{doubt} is not known of each: the order may be chance."
+        else "The order may be chance: the {things} differ by about {scatter}, and measuring error alone may give "
+        "{chance}."
     )
     words.append(say(verdict, things=f"{sport(model.sport).words.implement}s", **sizes))
     if not isinstance(model, Bat):

@@ -7,7 +7,7 @@ from dataclasses import fields
 from functools import partial
 from math import hypot
 
-from sweetspot.analysis.certification.rules import Verdict, title
+from sweetspot.analysis.certification.rules import QUANTITIES, Verdict, title
 from sweetspot.analysis.certification.shot_statistics import Estimate
 from sweetspot.analysis.certification.simulated_test import BASEBALL_TEST, CLAMP, Certification, SwungTest
 from sweetspot.answers.bat_test import MeasuredShots, MeasureSpreads, ScanAtRest, SimulatedTest, SpeedEstimate
@@ -20,10 +20,12 @@ from sweetspot.reports.bat.provenance import soft_note
 from sweetspot.reports.bat.tables import moment
 from sweetspot.reports.certification.limits_shown import (
     broken_rules,
+    limit_shown,
     unsure_words,
     value_shown,
+    value_with_ends,
 )
-from sweetspot.reports.certification.rules_shown import listed, reasons, rules_table
+from sweetspot.reports.certification.rules_shown import applying, listed, reasons, rules_table
 from sweetspot.reports.document import (
     Block,
     Cell,
@@ -68,6 +70,7 @@ WALL = (
     Line("with less.", "thicker"),
 )
 FAILS_UNSURELY = "{bat} fails as far as is known, but not surely: {rules}. What is not known reaches across the limit."
+MEASURE = "{name} {shown}, {by}, {place:place} from the tip{limit}."
 UNDECIDED = "{bat} is not passed: this test does not decide {rules}: {reason}."
 KEPT = "{bat} surely keeps {kept} of {all} rules and breaks none.{unsure}{left}"
 OTHER_BALL = (
@@ -80,19 +83,25 @@ def certificate_document(answer: CertifyAnswer) -> Document:
     """Return a tested bat as a document."""
     chances = [check for check in answer.checks if check.passes_probability is not None]
     blocks: list[Block] = [Paragraph(_headline(answer))] if answer.checks else []
+    blocks.append(Paragraph(_measure_words(answer)))
     blocks += [Paragraph(joined(map(_chance_words, chances)))] if chances else []
     blocks += [Paragraph(words, "warning") for words in _superseded(answer.checks)]
     blocks += [Paragraph(words) for words in _ball_of_the_rule(answer)]
     blocks += [Paragraph(_passing(answer, wall)) for wall in answer.walls or ()]
     if answer.implement.remark:
         blocks.append(Paragraph(answer.implement.remark))
+    details: list[Block] = []
     if answer.test is not None:
-        blocks += _simulated(answer, answer.test)
+        blocks += [Paragraph(words) for words in _wall_note(answer, answer.test)]
+        details += _simulated(answer, answer.test)
     if answer.shots is not None:
-        blocks += _measured(answer.shots, length=answer.implement.length)
+        blocks += listed(_remarks(answer.shots))
+        details += _measured(answer.shots, length=answer.implement.length)
     blocks += soft_note(answer.implement.sport, answer.fired)
     if answer.checks:
-        blocks += [rules_table(answer.checks, partial(_value, answer)), *listed(reasons(answer.checks))]
+        value = partial(_value, answer)
+        blocks += [rules_table(each, value, sources=False) for each in [applying(answer.checks)] if each]
+        details += [rules_table(answer.checks, value), *listed(reasons(answer.checks))]
     picture = Picture(
         "certify",
         drawn("sweetspot.reports.certification.picture:certification_figure", answer),
@@ -108,6 +117,7 @@ def certificate_document(answer: CertifyAnswer) -> Document:
         subtitle=answer.ball,
         kind="Bat test",
         blocks=[*blocks, picture, *sure],
+        appendix=details,
         data=data,
         rows=as_columns(data["checks"]),
         passed=answer.passed,
@@ -144,6 +154,21 @@ def _headline(answer: CertifyAnswer) -> Sentence:
         for check in answer.checks
     )
     return (_broken(answer) if answer.failed else _kept(answer)) + (ONE_PIECE if exempt else "")
+
+
+def _measure_words(answer: CertifyAnswer) -> Sentence:
+    """Return the one number that the test is made for, and the limit where one league has one."""
+    tested, shots = answer.measure, answer.shots
+    limits = [check for check in applying(answer.checks) if check.quantity == tested.quantity]
+    name = QUANTITIES[tested.quantity][0]
+    return say(
+        MEASURE,
+        name=name[0].upper() + name[1:],
+        shown=value_with_ends(tested.quantity, tested.value),
+        by="simulated" if shots is None else f"{len(shots.rows)} shots",
+        place=tested.position_from_tip,
+        limit=say("; allowed is {limit}", limit=limit_shown(limits[0])) if len(limits) == 1 else "",
+    )
 
 
 def _broken(answer: CertifyAnswer) -> Sentence:
@@ -220,7 +245,7 @@ def _simulated(answer: CertifyAnswer, test: SimulatedTest) -> list[Block]:
     columns += table_head("from the tip: length | test")
     ball_note = PATCH_NOTE if test.spread_by_law is None else BALL_NOTE
     moi_note = [] if test.spread_by_moi is None else [MOI_NOTE]
-    notes: list[Words] = [*_wall_note(answer, test), ball_note, *moi_note]
+    notes: list[Words] = [ball_note, *moi_note]
     return [Table("Simulated test", columns, rows, name="certified"), *(Paragraph(note, "note") for note in notes)]
 
 
@@ -269,7 +294,7 @@ def _place(scan: ScanAtRest, length: float) -> Sentence:
 
 
 def _measured(shots: MeasuredShots, *, length: float) -> list[Block]:
-    """Return the results of the shots: measures, places, outliers, unused rows, notes."""
+    """Return the results of the shots: measures and places."""
     raw = shots.standard_ball_cor is None
     rows = [_estimate("BBCOR, as measured" if raw else "BBCOR, normalised", shots.bbcor)]
     if not raw:
@@ -289,6 +314,12 @@ def _measured(shots: MeasuredShots, *, length: float) -> list[Block]:
         [Slot(length - place.position, "length").bare, place.count, Slot(place.bbcor, "ratio", 4)]
         for place in shots.places
     ]
+    where = table_head("from the tip: length | shots: count | BBCOR: ratio, 4")
+    return [Table(heading, columns, rows), Table("Places", where, places)]
+
+
+def _remarks(shots: MeasuredShots) -> list[str]:
+    """Return the remarks on a file of shots: outliers, unused rows and columns, notes."""
     lines = [
         f"Row {outlier.row} stands out: BBCOR {outlier.bbcor:.4f}, {outlier.deviation:+.1f} robust standard deviations "
         "from the median. It is counted."
@@ -297,8 +328,7 @@ def _measured(shots: MeasuredShots, *, length: float) -> list[Block]:
     lines += [f"Row {bad.row} is not used: {bad.reason}." for bad in shots.bad_rows]
     if shots.ignored_columns:
         lines.append(f"Columns not used: {', '.join(shots.ignored_columns)}.")
-    where = table_head("from the tip: length | shots: count | BBCOR: ratio, 4")
-    return [Table(heading, columns, rows), Table("Places", where, places), *listed([*lines, *shots.notes])]
+    return [*lines, *shots.notes]
 
 
 def _estimate(name: Words, estimate: Estimate | SpeedEstimate, scale: str = "ratio", digits: int = 4) -> list[Cell]:

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 from sweetspot.analysis.certification.rules import QUANTITIES, Check, Verdict, title
 from sweetspot.answers.certify import RuleCheck
-from sweetspot.numerics.interval import Number
+from sweetspot.numerics.interval import Interval, Number
 from sweetspot.reports.document import Marked
-from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say
+from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say, within
 
 SCALES = {
     "m": ("length", 3),
@@ -19,6 +19,8 @@ SCALES = {
 }
 """Scale and digits of what rules limit, by its unit; every other is a ratio with four digits."""
 
+COARSE = frozenset({"bpf", "pbcor"})
+"""Ratios whose third digit is their last [bpf_limits]."""
 MARKS: dict[Verdict, str] = {Verdict.PASS: "hit", Verdict.FAIL: "missed"}
 """Of verdicts that are sure."""
 
@@ -96,6 +98,13 @@ def verdict_words(check: RuleCheck) -> Sentence:
     return say(
         "{sign} {verdict}{unsure}{value}", sign=SIGNS[verdict], verdict=verdict, unsure=unsure, value=in_brackets
     )
+
+
+def value_with_ends(quantity: str, value: Interval) -> Sentence:
+    """Return a value with the ends of its 90 % interval in brackets."""
+    scale, digits = SCALES.get(QUANTITIES[quantity][1], ("ratio", 4))
+    digits = 3 if quantity in COARSE else digits
+    return within(value, scale, digits=digits)
 
 
 def value_shown(quantity: str, value: Number | None, *, sign: bool = False) -> Sentence:

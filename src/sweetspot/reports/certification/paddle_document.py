@@ -5,13 +5,14 @@ from __future__ import annotations
 from sweetspot.analysis.certification.rules import Verdict
 from sweetspot.answers.certify_paddle import CertifyPaddleAnswer, PaddleShots
 from sweetspot.numerics.interval import interval_of
-from sweetspot.reports.certification.limits_shown import broken_rules
-from sweetspot.reports.certification.rules_shown import listed, reasons, rules_table
+from sweetspot.reports.certification.limits_shown import broken_rules, limit_shown, value_with_ends
+from sweetspot.reports.certification.rules_shown import applying, listed, reasons, rules_table
 from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Table, as_columns, table_head
-from sweetspot.reports.sentences import Sentence, Slot, Words, say
+from sweetspot.reports.sentences import Sentence, Slot, Words, joined, say
 from sweetspot.reports.uncertainty import chance_words
 
-KEEPS = "{paddle} keeps the limit on PBCoR with a probability of {chance}."
+KEEPS = " It keeps the limit on PBCoR with a probability of {chance}."
+PBCOR = "PBCoR {pbcor}, {place:length} from the tip, by ball and core{limit}."
 WAVE = (
     "The clamp is felt where its wave is back early: from 7 in it takes {near}, and the ball is on the face for "
     "{contact}; from 4.4 in it takes {far}, when most of the push is over."
@@ -24,15 +25,18 @@ FORMULA = (
 
 def certify_paddle_document(answer: CertifyPaddleAnswer) -> Document:
     """Return a tested paddle as a document."""
-    blocks: list[Block] = [Paragraph(_headline(answer))] if answer.checks else []
     chances = [check.passes_probability for check in answer.checks if check.passes_probability is not None]
-    blocks += [Paragraph(say(KEEPS, paddle=answer.paddle.name, chance=chance_words(chance))) for chance in chances[:1]]
-    blocks.append(_test(answer))
+    likely = [say(KEEPS, chance=chance_words(chance)) for chance in chances[:1]]
+    blocks: list[Block] = [Paragraph(joined([_headline(answer), *likely], ""))] if answer.checks else []
+    blocks.append(Paragraph(_measure_words(answer)))
+    details: list[Block] = [_test(answer)]
     if answer.shots is not None:
-        blocks += _shots(answer.shots)
-    blocks += [_scan(answer), Paragraph(_wave(answer)), _clamps(answer), Paragraph(FORMULA)]
+        measured, *rows = _shots(answer.shots)
+        blocks, details = [*blocks, measured], [*details, *rows]
+    details += [_scan(answer), Paragraph(_wave(answer)), _clamps(answer), Paragraph(FORMULA)]
     if answer.checks:
-        blocks += [rules_table(answer.checks), *listed(reasons(answer.checks))]
+        blocks += [rules_table(each, sources=False) for each in [applying(answer.checks)] if each]
+        details += [rules_table(answer.checks), *listed(reasons(answer.checks))]
     data = answer.to_dict()
     return Document(
         name="certify",
@@ -40,6 +44,7 @@ def certify_paddle_document(answer: CertifyPaddleAnswer) -> Document:
         subtitle=answer.ball,
         kind="Paddle test",
         blocks=blocks,
+        appendix=details,
         data=data,
         rows=as_columns(data["test"]["scan"]),
         passed=answer.passed,
@@ -55,6 +60,17 @@ def _headline(answer: CertifyPaddleAnswer) -> Sentence:
     passes = sum(check.outcome.verdict is Verdict.PASS for check in answer.checks)
     every, left = len(answer.checks), "" if passes == len(answer.checks) else " The others are not decidable here."
     return say("{name} keeps {kept} of {all} rules and breaks none." + left, name=name, kept=passes, all=every)
+
+
+def _measure_words(answer: CertifyPaddleAnswer) -> Sentence:
+    """Return the one number that the test is made for."""
+    limits = [check for check in applying(answer.checks) if check.quantity == "pbcor"]
+    return say(
+        PBCOR,
+        pbcor=value_with_ends("pbcor", interval_of(answer.test.pbcor)),
+        place=answer.test.position_from_tip,
+        limit=say("; allowed is {limit}", limit=limit_shown(limits[0])) if len(limits) == 1 else "",
+    )
 
 
 def _test(answer: CertifyPaddleAnswer) -> Table:

@@ -12,10 +12,20 @@ MANY = 14
 """Rules from which on a printed table is set smaller."""
 
 
-def rules_table(checks: Sequence[RuleCheck], value: Callable[[RuleCheck], Cell] | None = None) -> Table:
+def applying(checks: Sequence[RuleCheck]) -> list[RuleCheck]:
+    """Return the rules that apply to what was tested."""
+    return [check for check in checks if check.outcome.applies]
+
+
+def rules_table(
+    checks: Sequence[RuleCheck], value: Callable[[RuleCheck], Cell] | None = None, *, sources: bool = True
+) -> Table:
     """Return the rules with their verdicts, values, limits and margins.
 
-    ``value``: how the value of a rule is shown; None: as `value_shown`.
+    Parameters
+    ----------
+    value : how the value of a rule is shown; None: as `value_shown`.
+    sources : whether the last column says where each rule stands.
     """
     alone = only_league(checks)
     columns = [Column(name) for name in ("league", "rule", "verdict") if name != "league" or alone is None]
@@ -28,13 +38,17 @@ def rules_table(checks: Sequence[RuleCheck], value: Callable[[RuleCheck], Cell] 
             value_shown(check.quantity, check.value) if value is None else value(check),
             limit_shown(check),
             value_shown(check.quantity, check.margin, sign=True),
-            Cited(check.source, str(check.year or ""), "" if check.reading == "primary" else check.reading),
+            *([Cited(check.source, str(check.year or ""), _how_read(check))] if sources else []),
         ]
         for check in checks
     ]
     name = "certified rules" if len(rows) < MANY else "certified rules many"
     heading = "Rules" if alone is None else f"Rules of {alone}"
-    return Table(heading, [*columns, Column("source")], rows, name=name)
+    return Table(heading, [*columns, *([Column("source")] if sources else [])], rows, name=name)
+
+
+def _how_read(check: RuleCheck) -> str:
+    return "" if check.reading == "primary" else check.reading
 
 
 def only_league(checks: Sequence[RuleCheck]) -> str | None:

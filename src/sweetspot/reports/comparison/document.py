@@ -85,14 +85,14 @@ def compare_document(answer: CompareAnswer) -> Document:
         name="compare", title=f"One {tool}" if number == 1 else f"{number} {tool}s, one player",
         subtitle=_effort(answer), kind="Comparison",
         blocks=[
-            *map(Paragraph, (*gains, *chances, *corked, *breaking_words(answer))), picture,
+            *map(Paragraph, (*corked[:1], *gains, *chances, *breaking_words(answer))), picture,
             _things(answer), *_handling(answer), _in_play(answer),
             *([legality_table(bats)] if ruled else []),
             *(Paragraph(note, "note") for note in notes),
             *([] if uncertainty is None else [how_sure(uncertainty, main)]),
         ],
         data=data, rows=as_columns([_row(each) for each in data["bats"]]), reader=reading, drawing=picture,
-        details=_by_place(answer),
+        details=_by_place(answer), appendix=[*map(Paragraph, corked[1:])],
     )  # fmt: skip
 
 

@@ -55,17 +55,19 @@ PROBABLE = (
     Line("not surely a difference.", unless="sure"),
 )
 CORKING = (
-    Line("Does corking help? The corked bat is {lighter:mass} lighter"),
+    Line("Does corking help? No: net of the faster swing the ball leaves {slower:speed_change} slower", "loss"),
+    Line("Does corking help? Here it does: net of the faster swing the ball leaves {net:speed_change} faster", "gain"),
+    Line("Does corking help? Not surely either way: net of the faster swing the exit speed changes by ", "unsure"),
+    Line("{net:speed_change, sign}", "unsure"),
+    Line(" ({low:speed_change, sign, bare} to {high:speed_change, sign, bare}). ", "law"),
+    Line("The corked bat is {lighter:mass} lighter"),
     Line("; swung no faster, it sends the ball off {change:speed_change, sign}.", unless="law"),
     Line(" and the same player swings it {gained:speed_change} faster", "law"),
     Line(" ({least:speed_change, sign, bare} to {most:speed_change, sign, bare}).", "law"),
     Line(" No swing is fast enough to break even with it.", "never"),
     Line(" To break even it must be swung {more:speed_change} faster.", "must_be_faster"),
     Line(" To break even it must be swung {more:speed_change} slower.", "may_be_slower"),
-    Line(" Net change of the exit speed: {net:speed_change, sign, ends}.", "law"),
-    Line(" No: the ball leaves slower. What remains is a quicker, later swing, which is not computed here.", "loss"),
-    Line(" Here it does.", "gain"),
-    Line(" Whether it helps cannot be decided within what is not known.", "unsure"),
+    Line(" What remains is a quicker, later swing, which is not computed here.", "loss"),
 )
 PUBLISHED = (
     "Predicted and published: the greatest q falls from {before:ratio} to {now:ratio}, by {fall:ratio}; in the "
@@ -74,10 +76,11 @@ PUBLISHED = (
     "BBCOR in play changes by {bbcor:ratio, sign}: no trampoline. Nothing was fitted to these."
 )
 ARGUMENT = (
-    "The paper argues with Hooke's law and momentum: a softer bat is pressed in further, so the force F = k x is "
-    "greater and acts longer, so F t and with it the ball's change of speed are greater. But a softer spring is "
-    "pressed in further by less force, not more. Here the peak force goes from {whole.peak_force:blow, bare} to "
-    "{corked.peak_force:blow} and contact from {whole.contact_time:contact, bare} to {corked.contact_time:contact}. "
+    "The paper [paper2014] argues with Hooke's law and momentum: a softer bat is pressed in further, so the force "
+    "F = k x is greater and acts longer, so F t and with it the ball's change of speed are greater. But a softer "
+    "spring is pressed in further by less force, not more. Here the peak force goes from "
+    "{whole.peak_force:blow, bare} to {corked.peak_force:blow} and contact from {whole.contact_time:contact, bare} to "
+    "{corked.contact_time:contact}. "
     "What counts is mass: a lighter barrel is pushed back more and returns less speed to the ball."
 )
 WALL = (
@@ -214,7 +217,10 @@ def _whether_it_helps(first: ComparedBat, corked: ComparedBat, answer: CompareAn
         never=math.isnan(more),
         must_be_faster=more > 0,
         may_be_slower=more <= 0,
-        net=net,
+        net=net.value,
+        slower=-net.value,
+        low=net.low,
+        high=net.high,
         loss=law and sign < 0,
         gain=law and sign > 0,
         unsure=law and sign == 0,

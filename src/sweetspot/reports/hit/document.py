@@ -7,7 +7,7 @@ import numpy as np
 from sweetspot.answers.hit import Collision, Hit, HitAnswer, Strains, collision_of
 from sweetspot.answers.records import to_dict
 from sweetspot.collision.coupled import hit
-from sweetspot.collision.impact import Impact
+from sweetspot.collision.impact import Impact, Outcome
 from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.sport import Terms
@@ -23,6 +23,7 @@ from sweetspot.reports.uncertainty import how_sure
 Rows = list[tuple[Cell, Cell]]
 FEW_JOULES, FEW_NEWTONS = 20.0, 5e3
 """Below these a number is shown with more digits."""
+SEPARATED = Outcome.SEPARATED.name.lower()
 TOLD = 1e-3
 """A part of the energy below which what a sum misses is rounding."""
 
@@ -41,6 +42,7 @@ def hit_document(answer: HitAnswer) -> Document:
         kind="Hit",
         subtitle=place,
         blocks=[
+            Paragraph(lead_words(answer, words)),
             hit_table(answer, words, masses, rigid=implement.face is None),
             *_aside(answer, words),
             *map(Paragraph, by_ball(answer.exit_speed_half_by_ball, answer.exit_speed_half_by_kind, words)),
@@ -58,6 +60,22 @@ def hit_document(answer: HitAnswer) -> Document:
         reader=reader_of(implement.sport),
         drawing=picture,
     )
+
+
+def lead_words(hit: Hit, words: Terms) -> Sentence:
+    """Return the exit speed in a sentence, or the reason why there is none."""
+    if hit.outcome != SEPARATED:
+        return say("{outcome}.", outcome=_outcome(hit, words))
+    return in_words(
+        "The {ball} leaves at {hit.exit_speed:speed}, off a {implement} that moves at {hit.bat_speed:speed} there.",
+        words,
+        hit=hit,
+    )
+
+
+def _outcome(hit: Hit, words: Terms) -> str:
+    text = hit.outcome_text.replace(" bat ", f" {words.implement} ")
+    return text[0].upper() + text[1:]
 
 
 def _aside(answer: HitAnswer, words: Terms) -> list[Block]:
@@ -133,7 +151,7 @@ def hit_table(hit: Hit, words: Terms, masses: Sentence, *, rigid: bool) -> Table
     rigid : whether the ball does not meet a face, so that BBCOR is defined.
     """
     rows: Rows = [
-        ("outcome", hit.outcome_text.replace(" bat ", f" {words.implement} ")),
+        *([] if hit.outcome == SEPARATED else [("outcome", _outcome(hit, words))]),
         (f"{words.implement} speed there", Slot(hit.bat_speed, "speed")),
         (words.exit_speed, Slot(hit.exit_speed, "speed")),
         (words.efficiency, Slot(hit.collision_efficiency, "ratio", 4)),
@@ -175,8 +193,7 @@ def _energy_rows(hit: Collision, words: Terms) -> Rows:
         energy = Slot(joules, "energy", digits)
         rows.append((in_words(f"energy: {name}", words), say("{joules}, {part}", joules=energy, part=part)))
     missed = abs(hit.energy_imbalance)
-    text = say("less than {part:share, 1}", part=TOLD) if missed < TOLD else Slot(missed, "share", 1)
-    return [*rows, ("energy: what the sum misses", text)]
+    return rows if missed < TOLD else [*rows, ("energy: what the sum misses", Slot(missed, "share", 1))]
 
 
 def _damage_blocks(strains: Strains | None, words: Terms) -> list[Block]:

@@ -302,7 +302,7 @@ def rules_sure(state: CompareState) -> ReadDocument:
         sources = sources_for(controls, bat, conditions)
         question = CertifyQuestion(bat, leagues, test.ball, sources=sources, draws=PAGE_DRAWS)
         tested = certificate_of(question, body=reduction.body, test=test)
-        for system, page in page_document(certificate_document(tested), mark=f"-{place}").html.items():
+        for system, page in page_document(certificate_document(tested).unfolded, mark=f"-{place}").html.items():
             pages[system] += page if label == bat.name else f"<h3>{escape(label)}</h3>{page}"
     return ReadDocument("", pages)
 
