@@ -56,7 +56,7 @@ HOMES = {
     "skfem": (),  # it sets the level of its logger for the whole process
     "emcee": (),  # the tests check draws with it
     "pymoo": ("designs/",),
-    "ezdxf": ("reports/drawing.py", "calibration/outline/"),
+    "ezdxf": ("reports/drawings/dxf.py", "calibration/outline/"),
     "fontTools": ("calibration/outline/",),
     "PIL": ("calibration/outline/photo/",),
     "polars": ("answers/", "seasons/", "reports/season/", "player/swing_table.py", "numerics/whole_parquet.py"),
@@ -292,10 +292,10 @@ def test_the_front_door_opens() -> None:
 
 
 BUDGET = {
-    "__init__": 150, "__main__": 50, "analysis": 3_750, "answers": 11_100, "calibration": 5_950, "catalog": 3_760,
+    "__init__": 150, "__main__": 50, "analysis": 3_750, "answers": 11_300, "calibration": 5_950, "catalog": 3_760,
     "cli": 3_830, "collision": 3_950, "designs": 2_750, "dynamics": 5_270, "equipment": 3_800, "errors": 150,
     "flight": 3_500, "front_door": 450, "motion": 750, "numerics": 1_850, "papers": 850, "plausibility": 800,
-    "player": 4_200, "references": 150, "reports": 13_850, "seasons": 7_130, "tables": 1_000, "uncertainty": 1_700,
+    "player": 4_200, "references": 150, "reports": 15_500, "seasons": 7_130, "tables": 1_000, "uncertainty": 1_700,
     "units": 800, "validation": 2_850, "web": 8_650,
 }  # fmt: skip
 """Lines of Python that each package may have: a little more than it has. Raised only in a commit that says why; a

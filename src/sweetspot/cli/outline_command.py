@@ -14,8 +14,9 @@ from sweetspot.cli.options.reading import DEFAULT_COLUMNS, ColumnOptions
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from sweetspot.answers.outline import OutlineQuestion
-    from sweetspot.equipment.bat import Bat
+    from sweetspot.analysis.certification.rules import League
+    from sweetspot.answers.outline import OutlineAnswer, OutlineQuestion
+    from sweetspot.equipment.implement import Implement
     from sweetspot.reports.quantities import Reader
 
 BAT_FILE = ".toml"
@@ -52,13 +53,34 @@ class SizeOptions:
 DEFAULT_SIZES = SizeOptions()
 
 
+@Parameter(name="*")
+@dataclass(frozen=True)
+class DrawingOptions:
+    """Files to write, and the rules that a drawing has to keep."""
+
+    out: Annotated[
+        list[Path] | None,
+        Parameter(
+            help="Bat file (.toml), stations (.csv), table for a lathe (.lathe.csv), drawing 1:1 (.svg, .dxf) or solid "
+            "(.step, .stl); may be given again."
+        ),
+    ] = None
+    league: Annotated[
+        str,
+        Parameter(help="Whose rules a drawing has to keep: a league of the catalogue, or none. Default: the sport's."),
+    ] = ""
+
+
+DEFAULT_DRAWING = DrawingOptions()
+
+
 def outline(
     source: Annotated[
         str,
         Parameter(
             help="What holds the outline: a CSV with columns like in_from_tip and diameter_mm, a drawing (SVG, DXF), "
             "a photograph (JPEG, PNG) of the bat on a plain ground, "
-            "or, to draw it, a bat file or a name of the catalogue."
+            "or, to draw it, a file or a name of the catalogue: a bat, racket, club or stick."
         ),
     ],
     /,
@@ -67,22 +89,17 @@ def outline(
     columns: ColumnOptions = DEFAULT_COLUMNS,
     material: Annotated[str, Parameter(help="Material of the catalogue.")] = "white-ash",
     name: Annotated[str | None, Parameter(help="What to call the bat; default: the file's name.")] = None,
-    out: Annotated[
-        list[Path] | None,
-        Parameter(
-            help="Bat file (.toml), stations (.csv), drawing 1:1 (.svg, .dxf) or solid (.stl); may be given again."
-        ),
-    ] = None,
+    drawn: DrawingOptions = DEFAULT_DRAWING,
     answer: AnswerOptions = DEFAULT_ANSWER,
 ) -> int:
-    """Turn a table of diameters, a drawing or a photograph into a bat file, and bats into drawings."""
+    """Turn a table of diameters, a drawing or a photograph into a bat file, and bats and others into drawings."""
     from sweetspot.answers.outline import outline_answer
     from sweetspot.cli.output import present
     from sweetspot.reports.calibration.outline_report import outline_document
 
-    found = outline_answer(_question(source, sizes, columns, material=material, name=name))
+    found = outline_answer(_question(source, sizes, columns, material=material, name=name, league=drawn.league))
     document = outline_document(found)
-    contents = {path: _content(path, found.bat, document.reader_of(answer.units)) for path in out or []}
+    contents = {path: _content(path, found, document.reader_of(answer.units)) for path in drawn.out or []}
     if contents:
         from sweetspot.reports.files import write_all
 
@@ -93,12 +110,11 @@ def outline(
 
 
 def _question(
-    source: str, sizes: SizeOptions, columns: ColumnOptions, *, material: str, name: str | None
+    source: str, sizes: SizeOptions, columns: ColumnOptions, *, material: str, name: str | None, league: str
 ) -> OutlineQuestion:
     """Return the outline and its bat: of a table, drawing or photograph, of a bat file, or of the catalogue."""
     from sweetspot import catalog
-    from sweetspot.answers.outline import OutlineQuestion, bat_of_outline
-    from sweetspot.calibration.outline.measured_outline import MeasuredOutline
+    from sweetspot.answers.outline import OutlineQuestion, bat_of_outline, outline_to_draw
     from sweetspot.calibration.outline.outline_file import ENDINGS, read_outline
 
     ending = Path(source).suffix.lower()
@@ -106,24 +122,30 @@ def _question(
         measured = read_outline(Path(source), **sizes.given(), given=columns.given())
         made_of = catalog.material(material)
         bat = bat_of_outline(measured, material=made_of, name=name or Path(source).stem)
-        return OutlineQuestion(measured, bat)
+        return OutlineQuestion(measured, bat, _league(bat, league))
     if sizes.given():
         raise InputError(f"--length or --ruler was given, but {source} is a bat and has its own; leave it out")
-    from sweetspot.reports.drawing import outline_stations
-
-    bat = catalog.load_bat(source)
-    bat = bat if name is None else bat.replaced(name=name)
-    stations = tuple((float(place), float(size)) for place, size in outline_stations(bat))
-    return OutlineQuestion(MeasuredOutline(stations), bat)
+    implement = catalog.load_implement(source)
+    implement = implement if name is None else implement.replaced(name=name)
+    return OutlineQuestion(outline_to_draw(implement), implement, _league(implement, league))
 
 
-def _content(path: Path, bat: Bat, reading: Reader) -> bytes:
+def _league(bat: Implement, name: str) -> League | None:
+    """Return the league of a name; none named: the sport's."""
+    from sweetspot.catalog.rules import league, usual_league
+
+    chosen = None if name == "none" else name or usual_league(bat)
+    return None if chosen is None else league(chosen)
+
+
+def _content(path: Path, found: OutlineAnswer, reading: Reader) -> bytes:
     """Return the contents of a file with this name."""
-    from sweetspot.catalog.files.write import bat_toml, legible
-    from sweetspot.reports.drawing import ENDINGS, drawing_bytes
+    from sweetspot.catalog.files.write import implement_toml, legible
+    from sweetspot.reports.calibration.outline_report import drawing_remarks
+    from sweetspot.reports.drawings.drawing_file import ENDINGS, drawing_bytes
 
     if path.suffix.lower() == BAT_FILE:
-        return legible(bat_toml(bat)).encode()
-    if path.suffix.lower() not in ENDINGS:
+        return legible(implement_toml(found.bat)).encode()
+    if not path.name.lower().endswith(ENDINGS):
         raise InputError(f"--out was given as {path}; write to a name that ends in {', '.join((BAT_FILE, *ENDINGS))}")
-    return drawing_bytes(bat, path, reading=reading)
+    return drawing_bytes(found.bat, path, reading=reading, remarks=drawing_remarks(found.broken, reading))

@@ -303,15 +303,20 @@ def _least_step(parts: Array, slopes: Array, miss: Array, ready: Array) -> Array
     return parts
 
 
+def drawn_findings(implement: Implement) -> dict[str, Finding]:
+    """Return the findings that a drawing and the weight hold, without any test."""
+    if not isinstance(implement, Bat):
+        return {name: Finding(size) for name, size in sizes_of(implement).items()}
+    return construction_findings(implement, body=rigid_body(beam_model(implement)))
+
+
 def findings_of(bat: Implement, measured: MeasuredDesigns, *, like: Implement, ball: Ball) -> dict[str, Finding]:
     """Return the findings to which rules apply: the drawing's own values, and BBCOR and BPF where it was fired at.
 
     ``like``: whose test says how much the ball's patch and the moment of inertia leave open of BBCOR and BPF: the bat
     itself, or one like it where there is no time for three tests of each.
     """
-    if not isinstance(bat, Bat):
-        return {name: Finding(size) for name, size in sizes_of(bat).items()}
-    drawn = construction_findings(bat, body=rigid_body(beam_model(bat)))
+    drawn = drawn_findings(bat)
     values = {name: float(measured.values[name][0]) for name in ("bbcor", "bpf") if name in measured.values}
     left_open = _tested(like, ball).findings() if values and isinstance(like, Bat) else {}
     return {**drawn, **{name: left_open[name].moved_to(value) for name, value in values.items()}}

@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
-from sweetspot.answers.outline import OutlineAnswer, PhotoOutlineAnswer
+from sweetspot.answers.certify import RuleCheck
+from sweetspot.answers.outline import TOLERANCE, OutlineAnswer, PhotoOutlineAnswer
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.outline.photo.photo_outline import HOOKED
+from sweetspot.catalog.sports import sport
+from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH
-from sweetspot.reports.document import Block, Column, Document, Paragraph, Table, table_head
-from sweetspot.reports.sentences import Sentence, Slot, joined, measured_words, say
+from sweetspot.reports.certification.limits_shown import broken_rules
+from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Table, table_head
+from sweetspot.reports.drawings.solids import bat_parts
+from sweetspot.reports.quantities import Reader, reader
+from sweetspot.reports.sentences import Sentence, Slot, joined, measured_words, read, say
 from sweetspot.units import INCH
 
 
@@ -22,8 +30,51 @@ def outline_document(answer: OutlineAnswer) -> Document:
     if isinstance(answer, PhotoOutlineAnswer):
         rows["diameter_error_m"] = data["diameter_error_m"]
         notes = [Paragraph(photo_words(answer)), *notes, _inches(answer)]
-    blocks = [Paragraph(outline_words(answer)), *notes]
-    return Document(name="outline", title=answer.bat.name, blocks=blocks, data=data, rows=rows)
+    if isinstance(answer.bat, Bat) and answer.mass_by_tolerance is not None:
+        notes.append(Paragraph(tolerance_words(answer), "note"))
+    blocks = [*(Paragraph(words) for words in illegal_words(answer.broken)), Paragraph(outline_words(answer)), *notes]
+    if isinstance(answer.bat, Bat) and (answer.bat.shell is not None or answer.bat.bores):
+        blocks.append(_parts(answer.bat))
+    return Document(
+        name="outline",
+        title=answer.bat.name,
+        blocks=blocks,
+        data=data,
+        rows=rows,
+        reader=reader(None, sport(answer.bat.sport).words),
+    )
+
+
+def illegal_words(broken: Sequence[RuleCheck]) -> list[Sentence]:
+    """Return that a drawing breaks rules, and which; nothing where it breaks none."""
+    return [say("NOT LEGAL: {rules}.", rules=broken_rules(broken))] if broken else []
+
+
+def tolerance_words(answer: OutlineAnswer) -> Sentence:
+    """Return the effect of diameters off by the tolerance all along."""
+    return say(
+        "Tolerance: ± {answer.tolerance:length, 3} of diameter. Thicker by that all along, it weighs "
+        "{more:mass, 2} more.",
+        answer=answer,
+        more=answer.mass_by_tolerance or 0.0,
+    )
+
+
+def drawing_remarks(broken: Sequence[RuleCheck], reading: Reader) -> list[str]:
+    """Return the remarks on a drawing: the rules that it breaks, and its tolerance."""
+    tolerance = say("Tolerance ± {tolerance:length, 3} of diameter unless agreed.", tolerance=TOLERANCE)
+    return [read(words, reading) for words in (*illegal_words(broken), tolerance)]
+
+
+def _parts(bat: Bat) -> Table:
+    """Return the solids that files hold, and what they leave out."""
+    parts = bat_parts(bat)
+    rows: list[list[Cell]] = [
+        [part.name, part.material, Slot(part.volume * 1e6, "ratio", 1), Slot(part.mass, "mass")] for part in parts
+    ]
+    added = sum(weight.mass for weight in bat.point_masses) + (0.0 if bat.shell is None else bat.shell.joint_mass)
+    rows += [["not drawn", "tape, joint, added weights", None, Slot(added, "mass")]] if added else []
+    return Table("Solids that files hold", table_head("solid | material | cm³ > | weight >"), rows)
 
 
 def _inches(answer: PhotoOutlineAnswer) -> Table:
@@ -72,6 +123,16 @@ def photo_words(answer: PhotoOutlineAnswer) -> Sentence:
 def outline_words(answer: OutlineAnswer) -> Sentence:
     """Return in words how thick the bat is and what it weighs, or would."""
     bat, sizes = answer.bat, answer.profile.diameter
+    if not isinstance(bat, Bat):
+        return say(
+            "{bat.made_of}: widest {wide:length}, length {length:length}. It weighs {mass:mass} and balances "
+            "{balance:length} from the end in the hand.",
+            bat=bat,
+            wide=float(sizes.max()),
+            length=bat.length,
+            mass=answer.mass,
+            balance=answer.balance_point,
+        )
     beyond_knob = sizes[answer.profile.position > 0.15 * bat.length]
     hollow = bat.shell is not None or bat.cup is not None or bool(bat.bores)
     weighs = (

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 
 import numpy as np
 
 from sweetspot.answers.design import DesignAnswer
 from sweetspot.answers.design_question import Designed
+from sweetspot.answers.outline import TOLERANCE, rules_broken
 from sweetspot.answers.records import to_dict
 from sweetspot.catalog.files.write import implement_toml
 from sweetspot.catalog.sports import sport
@@ -17,7 +18,9 @@ from sweetspot.designs.pareto import saved
 from sweetspot.designs.turned import HANDLES, TurnedSpace
 from sweetspot.designs.variables import Space
 from sweetspot.equipment.bat import Bat
+from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.arrays import Array
+from sweetspot.reports.calibration.outline_report import drawing_remarks
 from sweetspot.reports.design.words import breaking_words, gain_words, label_of, rules_words, tool_of
 from sweetspot.reports.document import (
     Block,
@@ -112,14 +115,18 @@ def _files(design: Designed) -> dict[str, Callable[[Reader], bytes]]:
         "search.json": lambda _: saved(design.bench, design.question, design.front).encode(),
         f"{FILES}.toml": lambda _: implement_toml(bat).encode(),
     }
-    if isinstance(bat, Bat) and bat.shell is None:
-        for ending in ("svg", "dxf", "csv"):
-            files[f"{FILES}.{ending}"] = partial(_drawing, bat, ending)
+    for ending in DRAWN_BATS if isinstance(bat, Bat) else DRAWN_OTHERS:
+        files[f"{FILES}.{ending}"] = partial(_drawing, design, ending)
     return files
 
 
-def _drawing(bat: Bat, ending: str, reading: Reader) -> bytes:
-    return drawing(bat, ending, reading)
+DRAWN_BATS, DRAWN_OTHERS = ("svg", "dxf", "csv", "lathe.csv", "stl", "step"), ("svg", "dxf")
+"""Endings of the drawings that go along with a round bat, and with anything else."""
+
+
+def _drawing(design: Designed, ending: str, reading: Reader) -> bytes:
+    remarks = drawing_remarks(rules_broken(design.bat, design.league), reading)
+    return drawing(design.bat, ending, reading, remarks)
 
 
 def _subtitle(design: Designed) -> str:
@@ -236,10 +243,6 @@ def _limits(design: Designed) -> list[Section]:
     return [Section("limits", "Limits kept", [Bullets(lines)])] if lines else []
 
 
-TOLERANCE = 0.01 * INCH
-"""m by which a diameter may be off: what a lathe with a copying rest holds (assumed)."""
-
-
 def inch_places(bat: Bat) -> Array:
     """Return places at every inch from the tip, and the knob end, m from the knob end."""
     count = int(bat.length / INCH + 1e-9)
@@ -280,13 +283,13 @@ def tolerance_words(design: Designed) -> Sentence | None:
     )
 
 
-def drawing(bat: Bat, ending: str, reading: Reader) -> bytes:
-    """Return the drawing of a bat as a file with this ending: csv, svg or dxf."""
+def drawing(bat: Implement, ending: str, reading: Reader, remarks: Sequence[str] = ()) -> bytes:
+    """Return the drawing of a bat as a file with this ending; ``remarks``: what must stand on it."""
     from pathlib import Path
 
-    from sweetspot.reports.drawing import drawing_bytes
+    from sweetspot.reports.drawings.drawing_file import drawing_bytes
 
-    return drawing_bytes(bat, Path(f"bat.{ending}"), reading=reading)
+    return drawing_bytes(bat, Path(f"bat.{ending}"), reading=reading, remarks=remarks)
 
 
 def tolerance_paragraph(design: Designed) -> list[Paragraph]:

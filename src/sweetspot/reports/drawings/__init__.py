@@ -1,0 +1,1 @@
+"""Drawings of implements for workshops: solids, tool paths, templates and tables."""
