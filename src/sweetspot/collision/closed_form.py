@@ -6,13 +6,14 @@ v_f = q v_ball + (1 + q) v_bat.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import cast
 
 import numpy as np
 
 from sweetspot.collision.contact_law import FREELY, LEAST_DAMPING
 from sweetspot.dynamics.rigid import RigidBody, effective_mass
-from sweetspot.equipment.ball import Ball
+from sweetspot.equipment.ball import Ball, RestitutionLaws, RestitutionLine, restitutions_at
 from sweetspot.equipment.base import Real
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -94,14 +95,35 @@ def free_restitution(ball: Ball, *, closing_speed: Real, recoil: Real) -> Real:
     if c < LEAST_DAMPING:
         on_wall: Real = closing_speed / (1 + recoil) ** 0.5  # a power, not np.sqrt: plain numbers stay plain
         return ball.restitution.at(on_wall)
-    number = c * np.maximum(np.asarray(closing_speed, float), 1e-9)
-    stored = (number - np.log1p(number)) / (1 + np.asarray(recoil, float))  # times m / c^2
-    wall = _pressed_number(stored)
-    back = np.minimum(ball.restitution.at(wall / c) * wall, FREELY)
-    returned = (-back - np.log1p(-back)) * (1 + recoil)
-    freed = _freed_number(np.asarray(returned))
-    found = freed / number
+    found = _damped_restitution(ball.restitution, c, np.asarray(closing_speed, float), np.asarray(recoil, float))
     return cast("Real", float(found) if found.ndim == 0 else found)
+
+
+def free_restitutions(balls: Sequence[Ball], *, closing_speed: Array, recoil: Array) -> Array:
+    """Return e of many balls and a rigid body each, shape (balls, places); see `free_restitution`.
+
+    Parameters
+    ----------
+    closing_speed, recoil : shape (balls, places).
+    """
+    laws = [ball.restitution for ball in balls]
+    numbers = RestitutionLaws(*(np.array([[getattr(law, name)] for law in laws]) for name in RestitutionLaws._fields))
+    damping = np.array([[ball.damping] for ball in balls])
+    undamped = restitutions_at(numbers, closing_speed / np.sqrt(1 + recoil))
+    damped = _damped_restitution(numbers, np.maximum(damping, LEAST_DAMPING), closing_speed, recoil)
+    return np.where(damping < LEAST_DAMPING, undamped, damped)
+
+
+def _damped_restitution(
+    law: RestitutionLine | RestitutionLaws, c: float | Array, closing_speed: Array, recoil: Array
+) -> Array:
+    """Return `free_restitution` of balls with a damper; numbers of the law and c (s/m) broadcast with the speeds."""
+    number = c * np.maximum(closing_speed, 1e-9)
+    stored = (number - np.log1p(number)) / (1 + recoil)  # times m / c^2
+    wall = _pressed_number(stored)
+    back = np.minimum(restitutions_at(law, wall / c) * wall, FREELY)
+    returned = (-back - np.log1p(-back)) * (1 + recoil)
+    return np.asarray(_freed_number(np.asarray(returned)) / number)
 
 
 def _pressed_number(energy: Array) -> Array:

@@ -220,7 +220,8 @@ def struck(
     """
     shapes = bats.shapes_at(position, closing_speed=closing_speed)
     give = bats.compliance_at(position, closing_speed=closing_speed)
-    omega, drift = bats.angular_frequency, free_steps(bats.angular_frequency, bats.damping_rate, step)
+    omega, damping = bats.angular_frequency, bats.damping_rate
+    drift = free_steps(omega, damping, step)
     shapes, give = with_quick_modes_as_springs(shapes, give, omega[:, None, :], step)
     step_give = give_of_steps(omega, step)
     count, places, size = shapes.shape
@@ -240,9 +241,10 @@ def struck(
             output = output_of(places, size, keep_motion=keep_motion)
             solve(lanes, speeds[i], bat, *constants[i], output)
             outcome[i], results[:, i], motion[:, i] = output
+        if keep_motion:
+            late = np.nan_to_num(results[LATE, part])
+            place, speed = motion[:, part]
+            motion[:, part] = moved_freely(omega[part, None], damping[part, None], place, speed, -late)
 
     in_parts(work, count, size=BATS, threads=threads)
-    if keep_motion:
-        late, (displacement, velocity) = np.nan_to_num(results[LATE]), motion
-        motion = np.array(moved_freely(omega[:, None], bats.damping_rate[:, None], displacement, velocity, -late))
     return Impacts(outcome, *results[:LATE], *motion)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Annotated, Protocol, Self
+from typing import Annotated, NamedTuple, Protocol, Self
 
 import numpy as np
 from pydantic import Field
 
 from sweetspot.equipment.base import Fraction, Positive, Real, Validated
 from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interpolants import on_parabola
 from sweetspot.numerics.roots import root_between
 
@@ -51,10 +52,7 @@ class RestitutionLaw(Validated):
         """Return e at an impact speed in m/s."""
         if isinstance(speed, float):  # many times faster, and stays a plain number
             return restitution_at(self, speed)
-        line = self.reference - self.slope * (speed - self.reference_speed)
-        if self.log_slope:
-            line = line - self.log_slope * np.log(np.maximum(speed, SLOWEST) / self.reference_speed)
-        within: Real = np.minimum(1.0, np.maximum(COR_FLOOR, line))
+        within: Real = restitutions_at(self, np.asarray(speed))[()]
         return within
 
 
@@ -69,6 +67,23 @@ class RestitutionLine(Protocol):
     def reference_speed(self) -> float: ...
     @property
     def log_slope(self) -> float: ...
+
+
+class RestitutionLaws(NamedTuple):
+    """The numbers of many `RestitutionLaw`, arrays that broadcast with the speeds that they are asked about."""
+
+    reference: Array
+    slope: Array
+    reference_speed: Array
+    log_slope: Array
+
+
+def restitutions_at(law: RestitutionLine | RestitutionLaws, speed: Array) -> Array:
+    """Return e of a law, or of many, at impact speeds in m/s."""
+    line = np.asarray(law.reference - law.slope * (speed - law.reference_speed))
+    if np.any(law.log_slope):
+        line = line - law.log_slope * np.log(np.maximum(speed, SLOWEST) / law.reference_speed)
+    return np.asarray(np.minimum(1.0, np.maximum(COR_FLOOR, line)))
 
 
 def restitution_at(law: RestitutionLine, speed: float) -> float:
@@ -172,39 +187,40 @@ class Ball(Validated):
         ----------
         deviation : -1 and 1 are the two ends of the evidence; in between and beyond, a parabola through them and 0.
         """
-        if self.law_ends is None or deviation == 0:
-            return self
-        law = self.restitution
-        here = (self.damping, math.log(self.stiffness), law.reference, law.slope)
-        less, more = ((end.damping, math.log(end.stiffness), end.reference, end.slope) for end in self.law_ends)
-        damping, stiffness, reference, slope = (
-            on_parabola(deviation, *values) for values in zip(less, here, more, strict=True)
-        )
-        return self.replaced(
-            damping=max(damping, 0.0),
-            stiffness=math.exp(stiffness),
-            restitution=law.replaced(reference=min(reference, 1.0), slope=max(slope, 0.0)),
-        )
+        return self.deviated({"law": deviation})
 
     def deviated(self, deviations: Mapping[str, float]) -> Self:
         """Return the ball with deviations, by name; those that are not named are none.
+
+        It is not validated again, which takes longer than a hit: what has limits is kept within them.
 
         Parameters
         ----------
         deviations : "law", as `with_law` takes it; "restitution" and "restitution_slope" (s/m), added to its
             restitution law's; "mass" and "stiffness", added to their logarithms.
         """
-        ball = self.with_law(deviations.get("law", 0.0))
-        law = ball.restitution
-        law = law.replaced(
-            reference=min(law.reference + deviations.get("restitution", 0.0), 1.0),
-            slope=max(law.slope + deviations.get("restitution_slope", 0.0), 0.0),
+        damping, stiffness, reference, slope = self._by_law(deviations.get("law", 0.0))
+        return self.unchecked(
+            damping=max(damping, 0.0),
+            stiffness=stiffness * math.exp(deviations.get("stiffness", 0.0)),
+            mass=self.mass * math.exp(deviations.get("mass", 0.0)),
+            restitution=self.restitution.unchecked(
+                reference=max(COR_FLOOR, min(min(reference, 1.0) + deviations.get("restitution", 0.0), 1.0)),
+                slope=max(max(slope, 0.0) + deviations.get("restitution_slope", 0.0), 0.0),
+            ),
         )
-        return ball.replaced(
-            restitution=law,
-            mass=ball.mass * math.exp(deviations.get("mass", 0.0)),
-            stiffness=ball.stiffness * math.exp(deviations.get("stiffness", 0.0)),
+
+    def _by_law(self, deviation: float) -> tuple[float, float, float, float]:
+        """Return damping, stiffness, and reference and slope of the restitution; see `with_law`."""
+        law = self.restitution
+        if self.law_ends is None or deviation == 0:
+            return self.damping, self.stiffness, law.reference, law.slope
+        here = (self.damping, math.log(self.stiffness), law.reference, law.slope)
+        less, more = ((end.damping, math.log(end.stiffness), end.reference, end.slope) for end in self.law_ends)
+        damping, stiffness, reference, slope = (
+            on_parabola(deviation, *values) for values in zip(less, here, more, strict=True)
         )
+        return damping, math.exp(stiffness), reference, slope
 
     def conditioned(self, *, humidity: float | None = None, temperature: float | None = None) -> Self:
         """Return the ball after long storage at a relative humidity (0 to 1) and temperature (degC).

@@ -128,8 +128,10 @@ class Validated(BaseModel, metaclass=_Readable):  # noqa: PLW1641  # pydantic ha
 
     def unchecked(self, **changes: Any) -> Self:
         """Return a copy with some fields changed that is not validated: for many copies hardly unlike a valid one."""
-        values = {name: getattr(self, name) for name in type(self).model_fields}
-        return cast("Self", self.model_construct(**{**values, **changes}))
+        copy = self.model_copy(update=changes)
+        for name in vars(copy).keys() - type(self).model_fields.keys():  # what the first has worked out since
+            del vars(copy)[name]
+        return copy
 
 
 @cache

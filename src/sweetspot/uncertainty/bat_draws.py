@@ -1,8 +1,9 @@
 """Many bats that one description may mean, reduced at once.
 
-Their beams are each solved anew. What a ball feels of the surface (the dent of wood, the hoop modes of a wall) takes
-far longer, is smooth in what is not known, and is therefore worked out for the bat as described and for every unknown
-one standard deviation up and down: each deviation adds its slope and bend. Hoop modes change places as walls get
+Their beams are followed from a few that are solved (`FollowedBeams`), or each solved where they are fewer. What a ball
+feels of the surface (the dent of wood, the hoop modes of a wall) takes far longer, is smooth in what is not known, and
+is therefore worked out for the bat as described and for every unknown one standard deviation up and down: each
+deviation adds its slope and bend. Hoop modes change places as walls get
 thicker, so they are followed by harmonic and by their order within it.
 """
 
@@ -27,6 +28,8 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
+from sweetspot.uncertainty.followed_beams import FollowedBeams, places_to_solve
+from sweetspot.uncertainty.implement_doubt import ImplementDoubt
 
 Surface = Modes | ByPatch
 """What a ball feels besides the beam: hoop modes, or the dent of wood."""
@@ -48,7 +51,7 @@ class DrawnBats:
     pressing : how many times as fast a hit presses as large a patch as this bat's ball, shape (bats, 1); None: once.
     """
 
-    bending: BendingBatch
+    bending: BendingBatch | FollowedBeams
     surfaces: tuple[Surface, ...]
     deviations: Array
     whole: Modes | None = None
@@ -150,32 +153,40 @@ class DrawnBats:
 
 
 def drawn_bats(
-    beam: BeamModel,
-    unknowns: Sequence[Unknown],
-    deviations: Array,
-    *,
-    spreads: Array,
-    ball: Ball,
-    threads: int | None = None,
+    beam: BeamModel, doubt: ImplementDoubt, normal: Array, *, ball: Ball, threads: int | None = None
 ) -> DrawnBats:
     """Return bats that deviate from a description.
 
-    ``deviations``: of every bat, shape (bats, unknowns). ``spreads``: one standard deviation of each, shape
-    (unknowns,). ``threads``: workers; None: one per core.
+    Parameters
+    ----------
+    normal : the independent standard normal numbers behind every bat, shape (bats, numbers).
+    threads : workers; None: one per core.
     """
-    law, sizes = patch_law(ball), np.maximum(spreads, 1e-12)
+    unknowns, deviations = doubt.unknowns, normal @ doubt.factor.T
+    law, sizes = patch_law(ball), np.maximum(np.sqrt(np.diag(doubt.covariance)), 1e-12)
     if not unknowns:
         same = bending_batch(BeamRow([beam]), threads=1)
         return DrawnBats(joined_batches([same] * len(deviations)), (), deviations, all_modes(beam, ball))
     if not isinstance(beam.bat, Bat):
         return _drawn_implements(beam, unknowns, deviations, sizes, ball)
-    beams = [deviated(beam, unknowns, row) for row in deviations]
     surface = _surface(beam, law)
     surfaces: list[Surface] = [surface]
     for unknown, step in zip(unknowns, np.diag(sizes), strict=True):
         ends = (deviated(beam, unknowns, sign * step) for sign in (1.0, -1.0))
         surfaces += [surface, surface] if unknown.name in UNFELT else [_surface(end, law) for end in ends]
-    return DrawnBats(bending_batch(BeamRow(beams), threads=threads), tuple(surfaces), deviations / sizes)
+    return DrawnBats(_drawn_beams(beam, doubt, normal, threads), tuple(surfaces), deviations / sizes)
+
+
+def _drawn_beams(
+    beam: BeamModel, doubt: ImplementDoubt, normal: Array, threads: int | None
+) -> BendingBatch | FollowedBeams:
+    """Return the beams of these numbers, followed where that means to solve fewer."""
+    places = places_to_solve(normal.shape[1])
+    followed = len(places) < len(normal)
+    rows = (places if followed else normal) @ doubt.factor.T
+    beams = [deviated(beam, doubt.unknowns, row) for row in rows]
+    solved = bending_batch(BeamRow(beams), threads=threads)
+    return FollowedBeams(solved, normal) if followed else solved
 
 
 def _drawn_implements(

@@ -13,7 +13,7 @@ from sweetspot.analysis.position_scan import stings
 from sweetspot.collision.closed_form import (
     collision_efficiency,
     exit_speed,
-    free_restitution,
+    free_restitutions,
     restitution_from_efficiency,
 )
 from sweetspot.collision.impact import Impact, Impacts
@@ -101,13 +101,10 @@ def draws_of(
     normal = np.concatenate([np.zeros((1, len(sources.names))), drawn])
     off = sources.deviations(normal)
     off[0] = 0.0
-    bats = len(sources.unknowns)
     ball = conditions.ball
     balls = sources.balls(ball, off)
     swung, thrown = conditions.swing.bat_speed + sources.of(SWING, off), conditions.pitch.speed + sources.of(PITCH, off)
-    drawn_ones = drawn_bats(
-        beam, sources.unknowns, off[:, :bats], spreads=np.sqrt(np.diag(sources.doubt.covariance)), ball=ball
-    )
+    drawn_ones = drawn_bats(beam, sources.doubt, normal[:, : len(sources.doubt.behind)], ball=ball)
     patch = np.exp(sources.of(PATCH, off))
     radii = patch * np.array([contact_patch(kind) for kind in balls]) / contact_patch(ball)
     # a patch goes as v^(1 / (n + 1)): another radius at this speed is that of another speed
@@ -174,12 +171,7 @@ def _rigid(draws: Draws, places: Array, closing: Array) -> Array:
     body = draws.bats.bending
     inverse_mass = 1 / body.mass[:, None] + (places - body.balance_point[:, None]) ** 2 / body.moi_cm[:, None]
     recoil = draws.ball_mass[:, None] * inverse_mass
-    restitution = np.array(
-        [
-            free_restitution(ball, closing_speed=speed, recoil=row)
-            for ball, speed, row in zip(draws.balls, np.maximum(closing, 1e-9), recoil, strict=True)
-        ]
-    )
+    restitution = free_restitutions(draws.balls, closing_speed=np.maximum(closing, 1e-9), recoil=recoil)
     return np.asarray(np.where(closing > 0, collision_efficiency(restitution, recoil=recoil), np.nan))
 
 

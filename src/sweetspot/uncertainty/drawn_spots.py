@@ -7,13 +7,14 @@ from itertools import pairwise
 from typing import Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING, without_spikes
 from sweetspot.calibration.unknowns import deviated
 from sweetspot.dynamics.batch.beams import BeamRow
 from sweetspot.dynamics.batch.bending import bending_batch
 from sweetspot.dynamics.modes import Modes
-from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.arrays import Array, IntArray
 from sweetspot.numerics.interpolants import tops
 from sweetspot.numerics.interval import Number
 from sweetspot.uncertainty.bat_draws import DrawnBats
@@ -43,28 +44,33 @@ def sweet_zones(position: Array, speed: Array, sting: Array) -> Array:
     fast = held - (np.nanmax(held, axis=1) - ZONE_LOSS)[:, None]
     quiet = ZONE_STING * np.nanmean(sting, axis=1)[:, None] - sting
     best = (best_positions(position, held) - position[0]) / step
-    good = np.minimum(fast, quiet) >= 0
+    row, first, last = _runs(np.minimum(fast, quiet) >= 0)
+    apart = np.maximum(np.maximum(first - best[row], best[row] - last), 0.0)
+    nearest = np.lexsort((first, apart, row))  # of every row's stretches the nearest comes first
+    row, chosen = np.unique(row[nearest], return_index=True)
+    first, last = first[nearest[chosen]], last[nearest[chosen]]
     zone_ends = np.full((len(speed), 2), np.nan)
-    for row in np.flatnonzero(good.any(axis=1)):
-        edges = np.flatnonzero(np.diff(np.concatenate([[False], good[row], [False]]).astype(int))).reshape(-1, 2)
-        ends = edges - [0, 1]
-        first, last = ends[np.argmin(np.maximum(np.maximum(ends[:, 0] - best[row], best[row] - ends[:, 1]), 0.0))]
-        sides = (fast[row], quiet[row])
-        zone_ends[row] = (
-            max(_crossing(side, first, first - 1) for side in sides),
-            min(_crossing(side, last, last + 1) for side in sides),
-        )
+    sides = (fast[row], quiet[row])
+    zone_ends[row, 0] = np.maximum(*(_crossing(side, first, first - 1) for side in sides))
+    zone_ends[row, 1] = np.minimum(*(_crossing(side, last, last + 1) for side in sides))
     return np.asarray(position[0] + step * zone_ends)
 
 
-def _crossing(values: Array, inside: int, outside: int) -> float:
-    """Return the position where values fall to zero between one index and its neighbor; the first where they do not."""
-    if not 0 <= outside < len(values):
-        return float(inside)
-    good, bad = float(values[inside]), float(values[outside])
-    if not bad < 0:
-        return float(outside)
-    return inside + (outside - inside) * good / (good - bad)
+def _runs(good: NDArray[np.bool_]) -> tuple[IntArray, IntArray, IntArray]:
+    """Return row, first and last index of every unbroken stretch of True, shape (rows, n), by rows."""
+    edges = np.diff(np.pad(good.astype(np.int8), ((0, 0), (1, 1))), axis=1)
+    row, first = np.nonzero(edges > 0)
+    return row, first, np.nonzero(edges < 0)[1] - 1
+
+
+def _crossing(values: Array, inside: IntArray, outside: IntArray) -> Array:
+    """Return the place at which every row falls to zero between an index and its neighbor, at most there."""
+    last = values.shape[1] - 1
+    rows = np.arange(len(values))
+    good, bad = values[rows, inside], values[rows, np.clip(outside, 0, last)]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        crossed = np.where(bad < 0, inside + (outside - inside) * good / (good - bad), outside)
+    return np.where((outside < 0) | (outside > last), inside, crossed)
 
 
 class MissCost(Protocol):
