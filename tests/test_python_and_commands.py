@@ -82,6 +82,7 @@ ASKED: list[tuple[str, Callable[[], Any]]] = [
         lambda: door.design("mlb-a", contact="8in", population=8, generations=2, want=["exit_speed"]),
     ),
     ("certify r161-ash --league mlb", lambda: door.certify(R161, league="mlb")),
+    ("certify golf-driver", lambda: door.certify_club("golf-driver")),
     (
         "certify pickleball-paddle --speed 50mph --clamp-inertia 12.15kg*cm^2",
         lambda: door.certify_paddle("pickleball-paddle", speed="50 mph", clamp_inertia="12.15 kg*cm^2"),
@@ -171,6 +172,6 @@ def without_words(printed: Any, answered: Any) -> Any:
 def test_every_question_is_tried() -> None:
     asked = {words.split()[0].replace("-", "_") for words, _ in ASKED}
     doors = {name: getattr(door, name) for name in door.__all__ if inspect.isfunction(getattr(door, name))}
-    assert asked | {"fly_table", "what_if", "certify_paddle"} == {
+    assert asked | {"fly_table", "what_if", "certify_paddle", "certify_club"} == {
         name for name, ask in doors.items() if ".ask_" in ask.__wrapped__.__module__
     }

@@ -17,7 +17,8 @@ Questions, with the same answers as the commands of these names; ``uncertainty=T
 - where it hits best and why: `report`; one collision: `hit`; bats side by side: `compare`;
   one bat with one or two things varied: `what_if`;
 - lead that makes a racket feel like another: `match`;
-- whether rules let it pass: `certify`, `certify_paddle`; from the pitch to the fence: `play`; a ball in the air: `fly`,
+- whether rules let it pass: `certify`, `certify_paddle`, `certify_club`;
+- from the pitch to the fence: `play`; a ball in the air: `fly`,
   `fly_table`; the best swing and launch: `optimum`;
 - the laboratory: `drop`, `pendulum`; the implemented paper: `paper`;
 - what was measured: `season`, `fit_player`, `rank`, `calibrate`, `tap`, `outline`.
@@ -50,11 +51,12 @@ _HOMES: Mapping[str, str] = {
     "": "catalog units",
     "analysis.bat_analysis": "Analysis analyse",
     "analysis.full_play": "plays",
-    "answers.ask_bat": "certify certify_paddle compare hit match paper report what_if",
+    "answers.ask_bat": "certify certify_club certify_paddle compare hit match paper report what_if",
     "answers.ask_design": "design",
     "answers.ask_flight": "fly fly_table optimum play",
     "answers.ask_measured": "calibrate drop fit_player outline pendulum plan_swings rank season tap",
     "answers.certify": "CertifyAnswer",
+    "answers.certify_club": "CertifyClubAnswer",
     "answers.certify_paddle": "CertifyPaddleAnswer",
     "answers.compare": "CompareAnswer",
     "answers.design": "DesignAnswer",

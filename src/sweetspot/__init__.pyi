@@ -14,6 +14,7 @@ from .analysis.certification.shots import Shots
 from .analysis.full_play import Plays
 from .answers.calibrate import CalibrateAnswer as CalibrateAnswer
 from .answers.certify import CertifyAnswer as CertifyAnswer
+from .answers.certify_club import CertifyClubAnswer as CertifyClubAnswer
 from .answers.certify_paddle import CertifyPaddleAnswer as CertifyPaddleAnswer
 from .answers.compare import CompareAnswer as CompareAnswer
 from .answers.design import DesignAnswer as DesignAnswer
@@ -85,6 +86,7 @@ __all__ = [
     "BeamModel",
     "CalibrateAnswer",
     "CertifyAnswer",
+    "CertifyClubAnswer",
     "CertifyPaddleAnswer",
     "CompareAnswer",
     "Conditions",
@@ -136,6 +138,7 @@ __all__ = [
     "catalog",
     "centre_of_percussion",
     "certify",
+    "certify_club",
     "certify_paddle",
     "compare",
     "design",
@@ -295,6 +298,12 @@ def certify(
     wall_that_passes: bool = False,
     uncertainty: bool = False,
 ) -> CertifyAnswer: ...
+def certify_club(
+    club: Tool,
+    *,
+    league: str | None = None,
+    ball: str | None = None,
+) -> CertifyClubAnswer: ...
 def certify_paddle(
     paddle: Tool,
     *,

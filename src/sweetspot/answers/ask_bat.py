@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from sweetspot import catalog
 from sweetspot.answers.setups import AS_USUAL, HitSetup, Place, SwungWith, check_beyond_hands, round_bat
 from sweetspot.catalog.implements import Loaded
+from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.paddle import Paddle
 from sweetspot.errors import InputError
 from sweetspot.papers.choices import Choices
@@ -20,8 +21,10 @@ from sweetspot.papers.choices import Choices
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from sweetspot.analysis.certification.rules import League
     from sweetspot.analysis.certification.shots import Shots
     from sweetspot.answers.certify import CertifyAnswer
+    from sweetspot.answers.certify_club import CertifyClubAnswer
     from sweetspot.answers.certify_paddle import CertifyPaddleAnswer
     from sweetspot.answers.compare import CompareAnswer
     from sweetspot.answers.hit import HitAnswer
@@ -30,6 +33,7 @@ if TYPE_CHECKING:
     from sweetspot.answers.report import ReportAnswer, ReportQuestion
     from sweetspot.answers.unhit import UnhitAnswer
     from sweetspot.answers.what_if import BatCell, WhatIfAnswer, WhatIfQuestion
+    from sweetspot.equipment.ball import Ball
     from sweetspot.equipment.implement import Implement
     from sweetspot.motion.swing_law import SwingLaw
 
@@ -294,11 +298,10 @@ def certify(
     'pass'
     """
     from sweetspot.answers.certify import CertifyQuestion, certify_answer
-    from sweetspot.catalog.rules import DEFAULT_LEAGUE, leagues_and_ball
     from sweetspot.catalog.standard_hit import standard_conditions
 
     described = round_bat(bat)
-    leagues, fired = leagues_and_ball(league or catalog.sport(described.sport).rules or DEFAULT_LEAGUE, ball)
+    leagues, fired = _leagues_for(described, league, ball)
     conditions = standard_conditions(described).replaced(ball=fired)
     question = CertifyQuestion(
         described,
@@ -348,7 +351,6 @@ def certify_paddle(
         CertifyPaddleQuestion,
         certify_paddle_answer,
     )
-    from sweetspot.catalog.rules import leagues_and_ball
 
     described = paddle.implement
     if not isinstance(described, Paddle):
@@ -357,9 +359,51 @@ def certify_paddle(
     speed = TEST_SPEED if speed is None else speed
     if ball is None and abs(speed - TEST_SPEED) > 1e-6:
         ball = game.balls[0]
-    leagues, fired = leagues_and_ball(league or game.rules, ball)
+    leagues, fired = _leagues_for(described, league, ball)
     inertia = HEAVY_CLAMP if clamp_inertia is None else clamp_inertia
     return certify_paddle_answer(CertifyPaddleQuestion(described, leagues, fired, speed, inertia, shots))
+
+
+def certify_club(club: Loaded, *, league: str | None = None, ball: str | None = None) -> CertifyClubAnswer:
+    """Test a golf club: the characteristic time of its face, its restitution, and the rules of the associations.
+
+    Parameters
+    ----------
+    club : its name in the catalogue, or its file; ``characteristic_time`` in its ``[head]`` is what a pendulum read.
+    league : of the catalogue, or "all" that use the ball; None: that of the sport.
+    ball : its name in the catalogue, or its file; None: the sport's.
+
+    Raises
+    ------
+    InputError
+        for another implement, or a league or ball that is not known or do not go together.
+
+    >>> import sweetspot
+    >>> sweetspot.certify_club("golf-driver").checks[0].verdict
+    'pass'
+    """
+    from sweetspot.answers.certify_club import CertifyClubQuestion, certify_club_answer
+
+    described = club.implement
+    if not isinstance(described, GolfClub):
+        raise InputError(f"{described.name} is no golf club; its test is another: see certify")
+    leagues, fired = _leagues_for(described, league, ball)
+    return certify_club_answer(CertifyClubQuestion(described, leagues, fired))
+
+
+def _leagues_for(tool: Implement, league: str | None, ball: str | None) -> tuple[list[League], Ball]:
+    """Return the leagues whose rules are held against an implement, those of its sport if none is named, and the ball.
+
+    Raises `InputError` where none of their rules is for such an implement.
+    """
+    from sweetspot.analysis.certification.rules import applies
+    from sweetspot.catalog.rules import DEFAULT_LEAGUE, leagues_and_ball
+
+    leagues, fired = leagues_and_ball(league or catalog.sport(tool.sport).rules or DEFAULT_LEAGUE, ball)
+    if not any(applies(rule, tool) for each in leagues for rule in each.rules):
+        names = " and ".join(each.name for each in leagues)
+        raise InputError(f"no rule of {names} is for {tool.name}; leave --league out for the rules of its sport")
+    return leagues, fired
 
 
 def paper(bat: Loaded, *, choices: Choices = Choices(), setup: HitSetup = AS_USUAL) -> PaperAnswer:

@@ -310,14 +310,20 @@ def _with_chance(check: RuleCheck, computed: Interval, measured: Estimate | None
     rule: Check = check.outcome
     if check.quantity != "pbcor" or rule.rule.most is None:
         return check
-    from scipy.special import ndtr, stdtr
+    if measured is None:
+        return replace(check, passes_probability=chance_within(rule.rule.most, computed))
+    from scipy.special import stdtr
 
-    if measured is not None:
-        apart = (rule.rule.most - measured.mean) / max(measured.standard_error, 1e-9)
-        return replace(check, passes_probability=float(stdtr(measured.count - 1, apart)))
-    side = computed.high - computed.value if rule.rule.most > computed.value else computed.value - computed.low
-    apart = (rule.rule.most - computed.value) / max(side / REACH, 1e-9)
-    return replace(check, passes_probability=float(ndtr(apart)))
+    apart = (rule.rule.most - measured.mean) / max(measured.standard_error, 1e-9)
+    return replace(check, passes_probability=float(stdtr(measured.count - 1, apart)))
+
+
+def chance_within(most: float, computed: Interval) -> float:
+    """Return the probability that a computed value is at most a limit: half a normal law on each side of it."""
+    from scipy.special import ndtr
+
+    side = computed.high - computed.value if most > computed.value else computed.value - computed.low
+    return float(ndtr((most - computed.value) / max(side / REACH, 1e-12)))
 
 
 def _passed(checks: Sequence[RuleCheck]) -> bool:

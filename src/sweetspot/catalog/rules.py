@@ -19,7 +19,7 @@ from sweetspot.units import Kind
 
 DEFAULT_LEAGUE, WOODEN_LEAGUE = "ncaa", "mlb"
 """Whose rules bats keep whose sport names none, and turned ones of a sport under the first."""
-KINDS: dict[str, Kind] = {"m": "length", "m/s": "speed", "kg m^2": "moi", "N": "force"}
+KINDS: dict[str, Kind] = {"m": "length", "m/s": "speed", "kg m^2": "moi", "N": "force", "s": "time"}
 """Kind of a limit's text by the unit of its quantity; every other limit is a ratio."""
 
 

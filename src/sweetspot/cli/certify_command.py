@@ -65,14 +65,16 @@ def certify(
     uncertainty: Uncertainty = False,
     output: OutputOptions = DEFAULT_OUTPUT,
 ) -> int:
-    """Test a bat: BBCOR, BESR, BPF and a league's rules, with margin; a paddle: PBCoR and its associations' rules.
+    """Test a bat: BBCOR, BESR, BPF and a league's rules, with margin; a paddle: PBCoR; a golf club: CT.
 
     Exit 1 when a rule fails or none can be decided.
     """
     from sweetspot.analysis.certification.shots import read_shots
     from sweetspot.answers.ask_bat import certify as asked
+    from sweetspot.answers.ask_bat import certify_club
     from sweetspot.catalog.implements import loaded_bat, loaded_implement
     from sweetspot.cli.output import patience, present
+    from sweetspot.equipment.golf_club import GolfClub
     from sweetspot.equipment.paddle import Paddle
     from sweetspot.plausibility import parse
 
@@ -89,6 +91,15 @@ def certify(
         return _paddle(loaded, shooting.paddle, league=league, ball=ball, shots=fired, output=output)
     if shooting.paddle != DEFAULT_PADDLE:
         raise InputError("--speed and --clamp-inertia are for paddles; a bat is tested at its league's speed")
+    if isinstance(loaded.implement, GolfClub):
+        if shots is not None or wall_that_passes or uncertainty:
+            raise InputError(
+                "--shots, --wall-that-passes and --uncertainty are for bats; a club is tested by the characteristic "
+                "time of its face, which its file can have as it was read: [head] characteristic_time"
+            )
+        with patience():
+            club = certify_club(loaded, league=league, ball=ball)
+        return present(club, output)
     loaded = loaded_bat(bat)
     with patience():
         answer = asked(

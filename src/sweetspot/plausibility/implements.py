@@ -70,6 +70,7 @@ SIZES: Mapping[str, PlausibleRange] = {
     "golf-club head.mass": _part(100, 500, "g"),
     "golf-club head.height": _part(2, 10, "cm"),
     "golf-club head.face_width": _part(4, 16, "cm"),
+    "golf-club head.characteristic_time": _part(100, 400, "us"),
     "hockey-stick width": _part(15, 90, "mm"),
     "hockey-stick depth": _part(8, 60, "mm"),
     "hockey-stick wall": _part(0.5, 15, "mm"),

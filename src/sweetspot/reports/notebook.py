@@ -113,6 +113,7 @@ MAKERS: Mapping[str, str] = {
     "SealedAnswer": "sweetspot.reports.sealed:sealed_document",
     "ScoreAnswer": "sweetspot.reports.sealed:score_document",
     "PaperAnswer": "sweetspot.reports.bench:paper_document",
+    "CertifyClubAnswer": "sweetspot.reports.certification.club_document:certify_club_document",
     "CertifyPaddleAnswer": "sweetspot.reports.certification.paddle_document:certify_paddle_document",
     "CertifyAnswer": "sweetspot.reports.certification.document:certificate_document",
     "MatchAnswer": "sweetspot.reports.matching:match_document",

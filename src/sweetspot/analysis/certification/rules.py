@@ -15,13 +15,16 @@ from typing import Literal
 from sweetspot.dynamics.rigid import RigidBody, moi_doubt
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
+from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.paddle import Paddle
 from sweetspot.errors import InputError
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH, OUNCE
 
-Construction = Literal["any", "wood", "not wood", "not one piece of wood", "composite", "cricket bat", "paddle"]
+Construction = Literal[
+    "any", "wood", "not wood", "not one piece of wood", "composite", "cricket bat", "paddle", "golf club"
+]
 Reading = Literal["primary", "secondary", "recalled"]
 SLACK = 1e-6
 """Relative tolerance of a limit, for rounding of units alone."""
@@ -52,9 +55,12 @@ QUANTITIES: dict[str, tuple[str, str]] = {
     "pef": ("PEF", "-"),
     "length_and_width": ("length and width together", "m"),
     "deflection_force": ("force that presses the face in by 1/16 in", "N"),
+    "characteristic_time": ("characteristic time of the face", "s"),
+    "cor": ("restitution of the face", "-"),
+    "head_moi": ("moment of inertia of the head about the vertical", "kg m^2"),
 }
 """Quantities that a rule can limit: name for people, unit."""
-PERFORMANCE = frozenset({"bbcor", "besr", "bpf", "batted_ball_speed", "pbcor", "pef"})
+PERFORMANCE = frozenset({"bbcor", "besr", "bpf", "batted_ball_speed", "pbcor", "pef", "characteristic_time", "cor"})
 """Of these what a test of a bat measures: how lively it is."""
 STATED_FOR: dict[Construction, str] = {
     "any": "every bat",
@@ -64,6 +70,7 @@ STATED_FOR: dict[Construction, str] = {
     "composite": "composite bats",
     "cricket bat": "cricket bats",
     "paddle": "paddles",
+    "golf club": "golf clubs",
 }
 
 
@@ -223,7 +230,7 @@ def check_rule(rule: Rule, *, bat: Implement, finding: Finding | None) -> Check:
 def applies(rule: Rule, bat: Implement) -> bool:
     """Return whether the source states the rule for a bat of this construction, judged by its barrel."""
     if not isinstance(bat, Bat):
-        kind = {"cricket bat": CricketBat, "paddle": Paddle}.get(rule.construction)
+        kind = {"cricket bat": CricketBat, "paddle": Paddle, "golf club": GolfClub}.get(rule.construction)
         return kind is not None and isinstance(bat, kind)
     wood = bat.material.family == "wood"
     laminate = bat.material.family == "laminate"
@@ -238,6 +245,7 @@ def applies(rule: Rule, bat: Implement) -> bool:
         "composite": laminate,
         "cricket bat": False,
         "paddle": False,
+        "golf club": False,
     }
     return stated[rule.construction]
 
@@ -318,5 +326,6 @@ def _straddles(rule: Rule, finding: Finding) -> str:
         return ""
     low, high = finding.interval
     if any(limit is not None and low < limit < high for limit in (rule.least, rule.most)):
-        return f"{finding.interval_is}, {low:.4f} to {high:.4f}, reaches across the limit"
+        ends = f", {low:.4f} to {high:.4f}," if QUANTITIES[rule.quantity][1] == "-" else ""
+        return f"{finding.interval_is}{ends} reaches across the limit"
     return ""

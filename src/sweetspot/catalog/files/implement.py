@@ -21,6 +21,7 @@ from sweetspot.catalog.files.tables import (
     MOI,
     PRESSURE,
     STIFFNESS,
+    TIME,
     CalibrationTable,
     Called,
     FileTable,
@@ -38,7 +39,7 @@ from sweetspot.catalog.materials import frequency_of_ra, rubber
 from sweetspot.catalog.records import TomlTable, unwrapped, unwrapped_table
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.face import Face, FaceOutline
-from sweetspot.equipment.golf_club import ClubHead, GolfClub
+from sweetspot.equipment.golf_club import ClubHead, GolfClub, stiffness_by_pendulum
 from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import AddedMass, Implement
 from sweetspot.equipment.paddle import Paddle, SoftSpot
@@ -173,6 +174,9 @@ class ClubHeadTable(FileTable):
     face_stiffness: Annotated[str | None, STIFFNESS, Called("stiffness")] = Field(
         None, description="of the plate under the ball"
     )
+    characteristic_time: Annotated[str | None, TIME] = Field(
+        None, description="as a pendulum test read it, for example '245 us'; the stiffness of the face follows from it"
+    )
     face_mass: Annotated[str | None, MASS, Called("moving_mass")] = Field(None, description="that moves with the ball")
     face_restitution: Annotated[float, Called("restitution")] = Field(
         1.0, description="of a hard ball on the face held fast"
@@ -286,7 +290,11 @@ def _racket(file: RacketFile) -> Racket:
 
 
 def _golf_club(file: GolfClubFile) -> GolfClub:
-    face = made(Face, file.head, "head", implement=file.kind, given={"edge": "plate"})
+    given: dict[str, object] = {"edge": "plate"}
+    if file.head.characteristic_time is not None:
+        read = in_si(file.head.characteristic_time, "time", "head.characteristic_time", file.kind)
+        given["stiffness"] = stiffness_by_pendulum(read)
+    face = made(Face, file.head, "head", implement=file.kind, given=given)
     return _made(GolfClub, file, head=made(ClubHead, file.head, "head", implement=file.kind, given={"face": face}))
 
 

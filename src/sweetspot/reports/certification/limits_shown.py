@@ -16,8 +16,10 @@ SCALES = {
     "kg m^2": ("moi", None),
     "in - oz": ("ratio", 2),
     "N": ("tension", 0),
+    "s": ("tap_time", 0),
+    "head_moi": ("head_moi", 0),
 }
-"""Scale and digits of what rules limit, by its unit; every other is a ratio with four digits."""
+"""Scale and digits of what rules limit, by its name or its unit; every other is a ratio with four digits."""
 
 COARSE = frozenset({"bpf", "pbcor"})
 """Ratios whose third digit is their last [bpf_limits]."""
@@ -114,5 +116,5 @@ def value_shown(quantity: str, value: Number | None, *, sign: bool = False) -> S
     unit = QUANTITIES[quantity][1]
     if unit == "yes or no":
         return say("yes" if float(value) else "no")
-    scale, digits = SCALES.get(unit, ("ratio", 4))
+    scale, digits = SCALES.get(quantity) or SCALES.get(unit, ("ratio", 4))
     return Sentence((Slot(value, scale, digits, sign),))

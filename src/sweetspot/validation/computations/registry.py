@@ -15,6 +15,7 @@ from sweetspot.validation.computations import (
     collision,
     field_tests,
     flight,
+    golf,
     hollow,
     modes,
     rigid,
@@ -42,7 +43,7 @@ _OTHERS: dict[str, Callable[..., Any]] = {
 
 COMPUTATIONS = _OTHERS | {
     name: function
-    for module in (rigid, modes, collision, bat_tests, hollow, field_tests, space, sports, flight)
+    for module in (rigid, modes, collision, bat_tests, hollow, field_tests, space, sports, golf, flight)
     for name, function in vars(module).items()
     if name[0] != "_" and getattr(function, "__module__", "") == module.__name__ and _is_computation(function)
 }

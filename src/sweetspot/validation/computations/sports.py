@@ -11,22 +11,18 @@ import numpy as np
 
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced, dead_spot, exit_speed_of
-from sweetspot.analysis.drop_test import Rebound, fire, terminal_speed
+from sweetspot.analysis.drop_test import fire, terminal_speed
 from sweetspot.catalog.scaled_implements import Measures, scaled_to
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.catalog.swing_laws import swing_law
-from sweetspot.collision.closed_form import collision_efficiency
 from sweetspot.collision.coupled import hit
-from sweetspot.collision.gear_effect import SideShot, side_shot
 from sweetspot.collision.impact import Impact
 from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.block import Block
 from sweetspot.dynamics.reduction import ReducedBat, all_modes, bending_modes, reduced_bat
 from sweetspot.dynamics.rigid import RigidBody, centre_of_percussion, effective_mass, rigid_body
 from sweetspot.dynamics.swing_weight import pendulum_period
 from sweetspot.equipment.ball import restitution_at
 from sweetspot.equipment.cricket_bat import CricketBat
-from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
@@ -62,11 +58,6 @@ def butt_weight(*, mass: float, balance_point: float, moi: float, axis: float, a
     return ButtWeight(shift, balance - balance_point, after.moi(axis) - moi)
 
 
-def smash_factor(*, ball_mass: float, mass: float, restitution: float) -> float:
-    """Return ball speed over head speed of a free head hit in its middle, 1 + q = (1 + e) / (1 + m / M)."""
-    return 1 + collision_efficiency(restitution, recoil=ball_mass / mass)
-
-
 def efficiency_of_speed_ratio(*, share: float) -> float:
     """Return q of an implement that sends a ball at rest off at this share of its own speed."""
     return share - 1
@@ -75,18 +66,6 @@ def efficiency_of_speed_ratio(*, share: float) -> float:
 def rule_book_rebound(*, sport: str, test: str) -> float:
     """Return the height that the ball of a sport reaches in a drop test of its rule book."""
     return rule_book_drops(sport)[test].rebound
-
-
-def driven_golf(*, mass: float, speed: float) -> Rebound:
-    """Return a golf ball on a wall at the speed of equal energy to a free club head of ``mass`` at ``speed``."""
-    ball = catalog.ball("golf")
-    wall = Block(material=catalog.material("steel"), thickness=0.1, floor_modulus=None)
-    return fire(wall, ball=ball, speed=speed / math.sqrt(1 + ball.mass / mass))
-
-
-def driven_golf_time(*, mass: float, speed: float) -> float:
-    """Return the contact time with that head: the wall's over sqrt(1 + m/M)."""
-    return driven_golf(mass=mass, speed=speed).impact.contact_time / math.sqrt(1 + catalog.ball("golf").mass / mass)
 
 
 def swing_law_loss(*, moi: float, other_moi: float, speed: float) -> float:
@@ -100,33 +79,6 @@ def struck(*, implement: str, from_tip: float, closing_speed: float, lateral: fl
     reduced = _reduced(implement)
     place, ball = reduced.bat.length - from_tip, _conditions(implement).ball
     return hit(reduced.modes, ball=ball, position=place, lateral=lateral, closing_speed=closing_speed)
-
-
-def _golf_shot(lateral: float, ball_speed: float, **head: float | None) -> SideShot:
-    """Return how the usual ball leaves the usual driver's head, some of its numbers changed, at ``ball_speed``."""
-    club, ball = catalog.implement("golf-driver"), catalog.ball("golf")
-    assert isinstance(club, GolfClub)
-    impulse, struck_head = ball.mass * ball_speed, club.head.replaced(**head)
-    speed = ball_speed / usual_smash_factor(implement="golf-driver")
-    return side_shot(struck_head, ball=ball, lateral=lateral, normal_impulse=impulse, speed=speed)
-
-
-def share_of_full_gearing(*, moi: float, depth: float, lateral: float, ball_speed: float) -> float:
-    """Return the spin from a head that turns, with a flat face, over that of a ball geared to it: J x C / (I R)."""
-    ball = catalog.ball("golf")
-    shot = _golf_shot(lateral, ball_speed, roll_moi=moi, depth=depth, bulge=None)
-    return shot.spin * moi * ball.radius / (ball.mass * ball_speed * lateral * depth)
-
-
-def spin_from_bulge(*, lateral: float, angle: float, ball_speed: float) -> float:
-    """Return the spin that only the slant of the face gives, where it points aside by ``angle``."""
-    bulged = _golf_shot(lateral, ball_speed, bulge=lateral / angle).spin
-    return _golf_shot(lateral, ball_speed, bulge=None).spin - bulged
-
-
-def bulged_direction(*, lateral: float, angle: float, ball_speed: float) -> float:
-    """Return the direction of a ball from a face that points aside by ``angle`` there."""
-    return _golf_shot(lateral, ball_speed, bulge=lateral / angle).aside
 
 
 def first_node_from_tip(*, implement: str) -> float:
@@ -228,38 +180,6 @@ def _reduced(implement: str) -> ReducedBat[Implement]:
 @cache
 def _usual(implement: str) -> Analysis[Implement]:
     return analyse_reduced(_reduced(implement), _conditions(implement))
-
-
-def golf_gain(
-    *,
-    speed: float,
-    launch_angle: float,
-    backspin: float,
-    share: float = 0.0,
-    elevation: float = 0.0,
-    warmer: float = 0.0,
-) -> float:
-    """Return the relative gain of a golf ball's carry by a share of speed, elevation, or warmer air and ball (K).
-
-    A warmer ball leaves faster by the change of 1 + e.
-    """
-    ball, law = catalog.ball("golf"), catalog.aerodynamics("golf")
-    warm = ball.conditioned(temperature=ball.reference_temperature + warmer)
-    livelier = (1 + warm.restitution.reference) / (1 + ball.restitution.reference)
-    carries = []
-    for factor, there in (
-        (1.0, SHEET_AIR),
-        ((1 + share) * livelier, Air(temperature=SHEET_AIR.temperature + warmer, elevation=elevation)),
-    ):
-        start = batted_ball(speed=speed * factor, launch_angle=launch_angle, backspin=backspin)
-        carries.append(fly(start, FlightConditions(ball=ball, aerodynamics=law, air=there)).carry)
-    return carries[1] / carries[0] - 1
-
-
-def golf_spin_left(*, speed: float, launch_angle: float, backspin: float, time: float) -> float:
-    """Return the part of its spin that a golf ball has left after a time."""
-    flight = sport_flight(ball="golf", air="golf", speed=speed, launch_angle=launch_angle, backspin=backspin)
-    return float(np.linalg.norm(flight.at(time).spin)) / backspin
 
 
 def wall_restitution_of(*, ball: str, speed: float) -> float:
