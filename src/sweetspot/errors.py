@@ -10,7 +10,7 @@ SPELT_LIKE = 0.65
 """The same for names that are only listed as candidates. [Our choice.]"""
 FEW = 3
 """Letters of a name below which the list needs `ALMOST` too: two letters are in many words. [Our choice.]"""
-MOST_MEANT, MOST_LISTED, MOST_EXAMPLES = 3, 12, 8
+MOST_MEANT, MOST_LISTED, MOST_EXAMPLES = 3, 14, 8
 """Names listed at most: of those spelt alike, of a short list whole, of a long one as examples."""
 
 

@@ -33,7 +33,7 @@ def test_rules_are_known_by_the_names_that_people_have_for_them() -> None:
     """What is printed on bats and said in offices: NFHS and NCAA share one rule, USA Softball was the ASA."""
     known = {"NFHS": "ncaa", "high school": "ncaa", "USA Bat": "usabat", "usa-softball": "asa", "BPF 1.15": "usssa"}
     assert {name: league(name).key for name in known} == known
-    listed = r"Known names: asa \(.*\), cricket \(.*\), little-league, .*ncaa \(nfhs, high-school"
+    listed = r"Known names: asa \(.*\), cricket \(.*\), golf \(.*\), little-league, .*ncaa \(nfhs, high-school"
     with pytest.raises(InputError, match=listed):
         league("xyz")
     also = [name for entry in read_table("rules.toml").values() for name in entry.texts("also")]
