@@ -165,8 +165,48 @@ def organ(generator: np.random.Generator) -> Array:
     return np.concatenate(parts)
 
 
+def song(generator: np.random.Generator) -> Array:
+    """Return a voice that holds notes with vibrato over a drum and plucked strings, without a pause."""
+    beat = generator.uniform(0.35, 0.6)
+    count = int(6 * beat * RATE)
+    time, sound = np.arange(count) / RATE, np.zeros(count)
+    notes = 165 * 2 ** (generator.integers(0, 13, 6) / 12)
+    pitch = np.repeat(notes, -(-count // 6))[:count] * (1 + 0.012 * np.sin(2 * np.pi * 5.5 * time))
+    areas = np.repeat(tract(generator)[None], count, axis=0)
+    voice = np.diff(_tract(glottis(generator, pitch), areas), prepend=0.0)
+    sound += voice / np.abs(voice).max()
+    for number in range(6):
+        begin = int(number * beat * RATE)
+        later = time[: count - begin]
+        for harmonic in range(1, 9):  # a plucked string
+            tone = notes[number] * 0.75 * harmonic
+            sound[begin:] += 0.3 / harmonic * np.exp(-1.5 * harmonic * later) * np.sin(2 * np.pi * tone * later)
+        drum = generator.uniform(90, 220)
+        sound[begin:] += generator.uniform(0.3, 1) * np.exp(-12 * later) * np.sin(2 * np.pi * drum * later)
+    return sound
+
+
+def applause(generator: np.random.Generator) -> Array:
+    """Return the claps of 3 to 30 pairs of hands for two seconds, each 2 to 6 ms of noise about its own pitch."""
+    count = int(2.0 * RATE)
+    sound = np.zeros(count)
+    for _ in range(generator.integers(3, 31)):
+        numerator, denominator = scipy.signal.iirpeak(generator.uniform(700, 2500), generator.uniform(1, 4), fs=RATE)
+        when, gap = generator.uniform(0, 0.3), generator.uniform(0.18, 0.35)
+        while when < 1.9:
+            size = int(0.03 * RATE)
+            clap = generator.standard_normal(size) * np.exp(-np.arange(size) / (generator.uniform(0.002, 0.006) * RATE))
+            begin = int(when * RATE)
+            sound[begin : begin + size] += generator.uniform(0.3, 1) * scipy.signal.lfilter(
+                numerator, denominator, clap
+            )
+            when += gap * generator.uniform(0.9, 1.1)
+    return sound
+
+
 SOUNDS: dict[str, Callable[[np.random.Generator], Array]] = {
     "talk": talk, "cough": cough, "clatter": clatter, "scrape": scrape, "organ": organ,
+    "song": song, "applause": applause,
 }  # fmt: skip
 
 

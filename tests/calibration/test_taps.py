@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import scipy.signal
 
+from studies import other_sounds
 from studies.recorder_taps import beam_frequencies, plate_frequencies
 from sweetspot import all_modes, beam_model, catalog
 from sweetspot.calibration.bar import SHEAR_SHAPE, Bar, bar_modulus, frequency_factor, moduli_along, named_bar
@@ -641,3 +642,37 @@ def test_a_bar_has_sizes_and_rings_in_bending(modes: Modes, sound: Recording) ->
             bar_modulus(STEEL_BAR, [NamedTone(tone, name, None)])
     with pytest.raises(InputError, match="either a bar or a bat"):
         tap_test([sound], modes=modes, bar=STEEL_BAR)
+
+
+@pytest.mark.parametrize("kind", ["talk", "song", "applause", "organ"])
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_no_voice_song_or_applause_is_a_tap(kind: str, seed: int) -> None:
+    """Made-up sounds of `studies.other_sounds`, of which no limit was set."""
+    assert not any(tap.good for tap in other_sounds.false_taps(kind, seed))
+
+
+def test_a_note_that_rings_at_whole_multiples_is_no_tap() -> None:
+    time = np.arange(22050) / 22050
+    note = sum(
+        np.exp(-6 * number * time) * np.sin(2 * np.pi * 196.0 * number * time) / number for number in range(1, 8)
+    )
+    sound = np.concatenate([np.zeros(4000), 0.3 * note]) + 1e-4 * np.random.default_rng(1).standard_normal(26050)
+    (tap,) = find_taps(Recording("note", sound, 22050.0), band=BAT_BAND)
+    assert "whole multiples of 196 Hz" in (tap.fault or "")
+
+
+def test_a_beat_among_other_sound_needs_a_second_one(modes: Modes) -> None:
+    """A bat's tap counts alone in silence and in talk with a second one; a single one among much talk does not."""
+    sound = synthesised(modes, position=0.81, listened=0.81, taps=1, apart=1.5, noise=1e-4)
+    generator = np.random.default_rng(4)
+    talk = [other_sounds.talk(generator) for _ in range(3)]
+    around = np.interp(np.arange(0, sum(map(len, talk)), 0.5), np.arange(sum(map(len, talk))), np.concatenate(talk))
+    around = 0.5 * around / np.abs(around).max()
+    gap = np.zeros(int(0.4 * sound.rate))
+    whole = np.concatenate([around, gap, sound.samples])
+    assert [tap.good for tap in find_taps(sound, band=BAT_BAND)] == [True]
+    alone = find_taps(replace(sound, samples=whole), band=BAT_BAND)
+    assert not any(tap.good for tap in alone)
+    assert "unconfirmed" in (alone[-1].fault or "")
+    twice = find_taps(replace(sound, samples=np.concatenate([whole, gap, sound.samples])), band=BAT_BAND)
+    assert sum(tap.good for tap in twice) == 2

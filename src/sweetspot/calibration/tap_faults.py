@@ -8,10 +8,11 @@ no damped sinusoid, a whistle that glides as sinusoids that cancel each other.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
-from sweetspot.calibration.sinusoids import LOUD_PART, WEIGHTY, Fit, stands_out
+from sweetspot.calibration.sinusoids import AUDIBLE, LOUD_PART, WEIGHTY, Fit, Sinusoid, stands_out
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import ROBUST_SCALE
 
@@ -47,6 +48,16 @@ cancel each other: two planes that begin against each other reach 4; a tone that
 STEADIEST = 5e-6
 """Damping ratio of the tone with most energy, below which it does not die away (assumed): what hangs in air loses more,
 a recorded steel bar 1.4e-5."""
+HELD_ON = 0.1
+"""Energy of tones that do not die away over that of all, from which on something else sounds (assumed): what was
+tapped leaves none, and of two planes the fainter may seem to go on."""
+AS_LOUD_AS_NOISE = 10.0
+"""Mean square of a tap over that of the quiet recording, up to which it may be too quiet (assumed)."""
+FEWEST_MULTIPLES, MULTIPLE, MOST_OFF = 4, 0.004, 0.05
+"""Tones at whole multiples of one frequency, and by which part of their number and how much at most they may be off
+(assumed). Of four tones that lie anyhow, one set in a thousand does."""
+MOST_OF_ENERGY, SPARSEST = 0.95, 3
+"""Of a sound's energy that such multiples hold, and how many times their number the highest is at most (assumed)."""
 LASTING, BREAKS_OFF, DEEPEST = (0.12, 0.24, 0.48), 14.0, 30.0
 """s in three thirds, and dB by which twice the middle third may lie above the other two together, of which none counts
 as more than `DEEPEST` below the loudest. What dies away is never above by more than a pair of tones makes that begin by
@@ -100,8 +111,15 @@ def fault_of_fit(fit: Fit, *, background: float, held: float) -> str | None:
     which on the implement counts as held.
     """
     if not fit.sinusoids or fit.misfit > LARGEST_MISFIT:
-        share = 100 * min(fit.misfit, 1)
-        return f"too quiet: {share:.0f} % of the sound is noise; tap harder or nearer the microphone"
+        if float(np.mean(fit.samples**2)) < AS_LOUD_AS_NOISE * background:
+            return (
+                "too quiet: no tone of it stands out of the rest of the recording; tap harder, nearer the microphone, "
+                "or in silence"
+            )
+        return (
+            f"no ring: {100 * min(fit.misfit, 1):.0f} % of it is no tone that dies away; a knock on something that "
+            "does not ring, a clap, music or a voice"
+        )
     loudest = max(sinusoid.amplitude for sinusoid in fit.sinusoids)
     loud = [sinusoid for sinusoid in fit.sinusoids if sinusoid.amplitude > HEARD * loudest]
     lowest = next((sinusoid for sinusoid in loud if stands_out(sinusoid, fit.sinusoids, least=WEIGHTY)), loud[0])
@@ -118,6 +136,17 @@ def _no_free_body(fit: Fit, background: float) -> str | None:
     longest = max(fit.sinusoids, key=lambda sinusoid: sinusoid.energy(len(fit.samples) / fit.rate))
     if longest.damping_ratio.high < STEADIEST:
         return f"no ring: {longest.frequency.value:.0f} Hz does not die away; a held note, or an alarm"
+    lasting = held_on(fit)
+    if lasting > HELD_ON:
+        return (
+            f"no ring: {100 * lasting:.0f} % of its energy is in tones that do not die away, and a struck body's all "
+            "do; music, a voice or a machine"
+        )
+    if pitch := common_pitch(fit.sinusoids):
+        return (
+            f"no ring: its tones are whole multiples of {pitch:.0f} Hz, and those of a bat or a bar are not; a voice, "
+            "a string, a wind instrument, or a ring that overdrove the recording"
+        )
     driven = driven_part(fit, background)
     if driven > MOST_DRIVEN:
         return (
@@ -142,6 +171,32 @@ def driven_part(fit: Fit, background: float) -> float:
     energy = np.cumsum(fit.samples**2)
     loud = int(np.searchsorted(energy, LOUD_PART * energy[-1]))
     return math.sqrt(max(fit.misfit**2 - background * (loud + 1) / float(energy[loud]), 0.0))
+
+
+def held_on(fit: Fit) -> float:
+    """Return the energy of a fit's tones that do not die away over that of all."""
+    seconds = len(fit.samples) / fit.rate
+    lasting = sum(tone.energy(seconds) for tone in fit.sinusoids if tone.damping_ratio.value < STEADIEST)
+    return lasting / max(sum(tone.energy(seconds) for tone in fit.sinusoids), 1e-300)
+
+
+def common_pitch(tones: Sequence[Sinusoid]) -> float | None:
+    """Return the frequency in Hz whose whole multiples the tones are, as a voice's and a string's; None: there is none.
+
+    A free beam's tones lie as 1, 2.76, 5.40, 8.93, a plate's anyhow.
+    """
+    energy = np.array([tone.energy(math.inf) for tone in tones])
+    frequency = np.array([tone.frequency.value for tone in tones])
+    heard = energy > AUDIBLE * energy.max(initial=0.0)
+    loudest = frequency[np.argsort(-energy)[:FEWEST_MULTIPLES]]
+    for pitch in np.unique(np.divide.outer(loudest, np.arange(1, 2 * FEWEST_MULTIPLES + 1)))[::-1]:
+        number = frequency / pitch
+        near = np.abs(number - np.round(number)) < np.minimum(MULTIPLE * number, MOST_OFF)
+        multiples = np.unique(np.round(number[near & heard]))
+        few = len(multiples) < FEWEST_MULTIPLES or multiples[-1] > SPARSEST * len(multiples)
+        if not few and energy[near].sum() > MOST_OF_ENERGY * energy.sum():
+            return float(pitch)
+    return None
 
 
 def cancelled(fit: Fit) -> float:

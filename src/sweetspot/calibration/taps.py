@@ -140,6 +140,10 @@ HUMLESS, CLEARER = 400.0, 6.0
 """Hz from which on taps are looked for where they stand out by this many dB more: mains and steps are below."""
 FEWER_TONES = 1000.0
 """Hz up to which a tap is heard once more whose tones are more than a fit can hold."""
+RINGS, LOUDER_PART = 2.0, 4.0
+"""s that a tap rings at most, and times the power of a recording's quietest tenth of parts, above which it is sound."""
+OTHER_SOUND = 1.0
+"""Energy of other sound over that of taps, from which on a tap needs another that confirms it (assumed)."""
 LOSSY = 0.03
 """Amplitude over the loudest tone's of the faintest tone that counts in a lossy format (assumed; made-up taps as OGG
 and MP3 get tones of 0.01 to 0.08 that nothing made)."""
@@ -191,7 +195,37 @@ def find_taps(recording: Recording, *, band: FrequencyBand, held: float = HELD) 
         if after - before < APART:
             fault = f"doubled: two taps {1e3 * (after - before):.0f} ms apart; let it ring between taps"
             taps[index : index + 2] = [replace(tap, fault=tap.fault or fault) for tap in taps[index : index + 2]]
-    return tuple(taps)
+    return _confirmed(taps, sound)
+
+
+def _confirmed(taps: Sequence[Tap], sound: Recording) -> tuple[Tap, ...]:
+    """Return taps, of which those count as none that no other confirms where the recording sounds on without them.
+
+    In music and talk a beat may ring like a struck body; so among much other sound two taps must have the same loudest
+    tone. In a recording of nothing but taps, one is enough.
+    """
+    good = [tap for tap in taps if tap.good and tap.fit and tap.fit.sinusoids]
+    loudest = [max(tap.fit.sinusoids, key=lambda tone: tone.energy(WINDOW)).frequency.value for tap in good if tap.fit]
+    alone = [
+        tap
+        for tap, tone in zip(good, loudest, strict=True)
+        if sum(abs(other / tone - 1) < SAME for other in loudest) < 2
+    ]
+    if not alone or _other_sound(sound, [tap.start for tap in good]) < OTHER_SOUND:
+        return tuple(taps)
+    fault = "unconfirmed: the recording holds more other sound than taps, and no second tap has this one's tone; tap "
+    return tuple(replace(tap, fault=fault + "in silence, twice or more") if tap in alone else tap for tap in taps)
+
+
+def _other_sound(sound: Recording, starts: Sequence[float]) -> float:
+    """Return the energy of a sound outside of taps over that within, without what is as loud as its quiet parts."""
+    size = round(PART * sound.rate)
+    parts = sound.samples[: len(sound.samples) // size * size].reshape(-1, size)
+    power = np.mean(parts**2, axis=1)
+    power = np.maximum(power - LOUDER_PART * np.quantile(power, 0.1), 0.0)
+    begin = np.arange(len(power)) * PART
+    within = np.any([(begin > start - 2 * PART) & (begin < start + RINGS) for start in starts], axis=0)
+    return float(power[~within].sum() / max(power[within].sum(), 1e-300))
 
 
 def _where_taps_stand_out(recording: Recording, sound: Recording, band: FrequencyBand) -> Recording:

@@ -9,11 +9,15 @@ from sweetspot.calibration.bar import BarModulus
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.mode_naming import NamedTone
 from sweetspot.calibration.tap_analysis import TapTest
+from sweetspot.calibration.tap_faults import HEARD
 from sweetspot.calibration.taps import Tap, Tone
 from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, as_columns, drawn, table_head
 from sweetspot.reports.quantities import NOTHING, SI
 from sweetspot.reports.sentences import Sentence, joined, measured_words, say
 
+FIRST = ("bending", 1)
+AS_DESCRIBED = 0.01
+"""Part by which the first tone may be off the described one's without a word."""
 BY_RATIOS = (
     "Names come from the ratios of bats in general. Of a hollow bat, what is named bending 3 may be a hoop tone: say "
     "with --bat what it is."
@@ -42,7 +46,7 @@ def tap_document(answer: TapAnswer) -> Document:
     """Return a tap test as a document: the taps that were not used and why, the tones, the bar."""
     test, implement = answer.test, answer.question.implement
     title = "A tapped bar" if answer.question.bar is not None else "A tap" if implement is None else implement.name
-    blocks: list[Block] = [Paragraph(f"{len(test.good)} of {len(test.taps)} taps used.")]
+    blocks: list[Block] = [Paragraph(_first_tone(test))]
     blocks += [Paragraph(_fault(test, number), "warning") for number, tap in enumerate(test.taps) if not tap.good]
     blocks += [Paragraph(_heard_to(tap, tap.heard_to), "note") for tap in test.good if tap.heard_to]
     if lossy := [recording.name for recording in test.recordings if recording.lossy]:
@@ -85,6 +89,33 @@ def tap_document(answer: TapAnswer) -> Document:
         data=data,
         rows=as_columns(data["tones"]),
         drawing=picture,
+    )
+
+
+def _first_tone(test: TapTest) -> Sentence:
+    """Return the answer in a line: the first bending tone, or the lowest loud one, beside that of the description."""
+    used = f"{len(test.good)} of {len(test.taps)} taps used."
+    first = next(
+        (entry for entry in test.tones if entry.name and (entry.name.family, entry.name.harmonic) == FIRST), None
+    )
+    if first is None:
+        lowest = next((entry.tone for entry in test.tones if entry.tone.distinct and entry.tone.level > HEARD), None)
+        tone = lowest or min((entry.tone for entry in test.tones), key=lambda each: each.frequency.value, default=None)
+        return (
+            say("Lowest tone {tone.frequency.value:frequency, 0}; {used}", tone=tone, used=used) if tone else say(used)
+        )
+    value = first.tone.frequency.value
+    off = 0.0 if test.by_ratios or not first.expected else value / first.expected - 1
+    if abs(off) < AS_DESCRIBED:
+        return say("First bending tone {value:frequency, 0}; {used}", value=value, used=used)
+    return say(
+        "First bending tone {value:frequency, 0}, {off:share} {side} the {expected:frequency, 0} of what was "
+        "described; {used}",
+        value=value,
+        off=abs(off),
+        side="above" if off > 0 else "below",
+        expected=first.expected,
+        used=used,
     )
 
 
