@@ -318,7 +318,7 @@ BUDGET = {
     "uncertainty": 1_850,
     "units": 800,
     "validation": 2_850,
-    "web": 8_650,
+    "web": 8_750,
 }
 """Lines of Python that each package may have: a little more than it has. Raised only in a commit that says why; a
 package that shrinks gives its lines back."""

@@ -187,6 +187,25 @@ def test_a_temporary_folder_of_this_user_alone(tmp_path: Path, monkeypatch: pyte
     assert not kernel_cache._is_private(own)
 
 
+def test_a_named_folder_that_others_write_to_is_not_used(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A sticky folder of all, as for temporary files, will do: what is ours there nobody else can take away."""
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    for mode, used in ((0o777, False), (0o1777, True), (0o755, True)):
+        tmp_path.chmod(mode)
+        kernel_folder.cache_clear()
+        place = kernel_folder()
+        assert place is not None and place.is_relative_to(tmp_path) is used
+        assert ("others can write" in capsys.readouterr().err) is not used
+    assert place is not None
+    place.chmod(0o777)
+    kernel_folder.cache_clear()
+    place = kernel_folder()
+    assert place is None or not place.is_relative_to(tmp_path)
+    kernel_folder.cache_clear()
+
+
 def test_nobody_without_a_home_gets_an_answer() -> None:
     """Another user than the one who installed, who owns nothing; only root can try it."""
     if not hasattr(os, "geteuid") or os.geteuid() != 0 or shutil.which("setpriv") is None:

@@ -310,6 +310,12 @@ def test_only_this_server_by_name_and_its_own_pages(client: httpx.Client, server
     foreign = client.post("/api/v1/explorer", json={}, headers={"origin": "https://evil.example"})
     assert foreign.status_code == 403
     assert client.post("/api/v1/explorer", json={}, headers={"origin": server}).status_code == 200
+    asked = (("cross-site", "cors", 403), ("same-site", "no-cors", 403), ("cross-site", "navigate", 200))
+    for site, mode, code in asked:
+        of_others = {"sec-fetch-site": site, "sec-fetch-mode": mode}
+        assert client.get("/explorer", headers=of_others).status_code == code
+        assert client.post("/api/v1/explorer", json={}, headers=of_others).status_code == 403
+    assert client.get("/explorer", headers={"sec-fetch-site": "none"}).status_code == 200
     assert client.get("/explorer?" + "x" * 40_000).status_code == 414
 
 

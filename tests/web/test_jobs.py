@@ -72,8 +72,10 @@ def test_work_is_stopped_and_goes_on_where_it_was_and_too_much_is_refused(jobs: 
     second = jobs.start("one", counting, 100_000)
     with pytest.raises(InputError, match="stop one"):
         jobs.start("one", counting, 1)
+    third = jobs.start("other", counting, 100_000)  # one has taken all of its own, and not all
     with pytest.raises(InputError, match="places"):
-        jobs.start("other", counting, 1)
+        jobs.start("a third", counting, 1)
+    jobs.look(third, Look(stop=True))
     jobs.look(second, Look(stop=True))
     until(jobs, key, lambda told: told.found is not None and told.found["number"] >= 3)
     reached = jobs.look(key, Look(stop=True))

@@ -13,6 +13,7 @@ from __future__ import annotations
 import hashlib
 import os
 import pickle
+import stat
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
@@ -64,12 +65,12 @@ inner = register_jitable
 def kernel_folder() -> Path | None:
     """Return the folder of the machine code, or None where nothing can be written.
 
-    ``NUMBA_CACHE_DIR`` where it is set; otherwise beside the package; otherwise among this user's caches; otherwise a
-    folder of this user alone among the temporary files. Its files are executed, so no other user may write to it.
+    ``NUMBA_CACHE_DIR`` where it is set and no other user can write there; otherwise beside the package;
+    otherwise among this user's caches; otherwise a folder of this user alone among the temporary files.
     """
     chosen = os.environ.get("NUMBA_CACHE_DIR")
     installation = hashlib.blake2b(os.fsencode(PACKAGE), digest_size=8).hexdigest()
-    places = [Path(chosen, f"sweetspot-{installation}")] if chosen else []
+    places = [Path(chosen, f"sweetspot-{installation}")] if chosen and _is_ours(Path(chosen), installation) else []
     caches = AppDirs("sweetspot", appauthor=False).user_cache_dir  # type: ignore[no-untyped-call]
     places += [PACKAGE / "__pycache__" / "kernels", Path(caches, installation)]
     for place in places:
@@ -203,6 +204,25 @@ def _writable(folder: Path) -> bool:
     except OSError:
         return False
     return True
+
+
+def _is_ours(chosen: Path, installation: str) -> bool:
+    """Return whether no other user can put a file, or another folder, where our kernels would lie."""
+    folder = chosen / f"sweetspot-{installation}"
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        mode = chosen.stat().st_mode
+        if _is_private(folder) and (not hasattr(os, "getuid") or mode & stat.S_ISVTX or not mode & 0o022):
+            return True
+        _say_that_others_write(folder)
+    except OSError:
+        pass
+    return False
+
+
+def _say_that_others_write(folder: Path) -> None:
+    if sys.stderr is not None:
+        print(f"sweetspot: others can write to {folder}: kernels there are not used; chmod go-w it", file=sys.stderr)
 
 
 def _is_private(folder: Path) -> bool:

@@ -48,6 +48,10 @@ class FieldError(InputError):
         self.field, self.more = field, more
 
 
+class FullDiskError(FieldError):
+    """What was handed in could not be kept on this machine's disk."""
+
+
 @contextmanager
 def about(field: str) -> Iterator[None]:
     """Assign every input error raised inside to ``field``, unless it names one itself."""

@@ -24,7 +24,7 @@ from sweetspot.answers.records import plain_data
 from sweetspot.errors import InputError, SweetspotError
 from sweetspot.web.errors import Fault, fault
 
-MOST_RUNNING, MOST_OF_ONE = 2, 2
+MOST_RUNNING, MOST_OF_ONE = 3, 2
 """Jobs that run at once, on the whole server and for one address."""
 MOST_KEPT = 16
 UNWATCHED = 90.0

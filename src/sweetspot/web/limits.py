@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ipaddress
 import json
-from collections.abc import Awaitable, Callable, Iterable, MutableMapping
+from collections.abc import Awaitable, Callable, Iterable, Mapping, MutableMapping
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -41,6 +41,15 @@ Message = MutableMapping[str, Any]
 Receive = Callable[[], Awaitable[Message]]
 Send = Callable[[Message], Awaitable[None]]
 App = Callable[[Scope, Receive, Send], Awaitable[None]]
+
+
+FOREIGN = ("cross-site", "same-site")
+"""What browsers say in Sec-Fetch-Site of what a page of another server asks for."""
+
+
+def opens_page(scope: Scope, headers: Mapping[str, str]) -> bool:
+    """Return whether a request follows a link to a page, or shows it in a frame, which pages of others may do."""
+    return scope.get("method") in ("GET", "HEAD") and headers.get("sec-fetch-mode") == "navigate"
 
 
 NO_HOST = frozenset("@#/?\\")
@@ -123,7 +132,8 @@ class Guard:
         host = headers.get("host", "")
         if not host_allowed(host, self._names):
             return 421, f"this server is not called {host[:80]!r}; start it with --allow-host to add a name"
-        if not origin_allowed(headers.get("origin"), host):
+        foreign = headers.get("sec-fetch-site") in FOREIGN and not opens_page(scope, headers)
+        if foreign or not origin_allowed(headers.get("origin"), host):
             return 403, "pages of other servers may not use this one"
         if len(scope.get("query_string", b"")) > LONGEST_QUERY:
             return 414, f"the address is too long; allowed are {LONGEST_QUERY} bytes after the question mark"

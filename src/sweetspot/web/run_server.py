@@ -60,11 +60,12 @@ def server_for(*, names: Iterable[str] = ()) -> uvicorn.Server:
     import uvicorn
 
     from sweetspot.web.server import create_app
+    from sweetspot.web.silence import PatientProtocol
 
     return uvicorn.Server(
         uvicorn.Config(
             create_app(names=names),
-            http="h11",
+            http=PatientProtocol,
             ws="websockets-sansio",
             log_level="warning",
             access_log=False,

@@ -13,12 +13,13 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import HTMLResponse, JSONResponse
 from starlette.exceptions import HTTPException
 from starlette.middleware.gzip import GZipMiddleware
+from starlette.requests import ClientDisconnect
 
 from sweetspot import __version__
 from sweetspot.errors import SweetspotError
 from sweetspot.web.answers import AnswerPool, TooSlowError, answer_json
 from sweetspot.web.catalogue import catalogue_routes
-from sweetspot.web.errors import Fault, Refusal, fault
+from sweetspot.web.errors import Fault, FullDiskError, Refusal, fault
 from sweetspot.web.files import File, shell, static_files
 from sweetspot.web.jobs import Jobs, LongWork, job_routes
 from sweetspot.web.limits import EMBEDDED_POLICY, Guard
@@ -44,6 +45,7 @@ REFUSALS = {
     413: "The message is too large.",
     421: "The server is not called that.",
     422: "A control has a value that does not work.",
+    507: "There is no room on this machine's disk.",
 }
 """The status codes with which every route may answer a `Refusal`, and why."""
 LAST_WORK = 10.0
@@ -91,6 +93,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(HTTPException, _refused)
     app.add_exception_handler(SweetspotError, _wrong)
+    app.add_exception_handler(ClientDisconnect, _gone)
     app.add_exception_handler(Exception, _broken)
     refusal = {"application/json": {"schema": {"$ref": f"#/components/schemas/{Refusal.__name__}"}}}
     api = APIRouter(
@@ -214,7 +217,11 @@ async def _wrong(_: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, SweetspotError)
     if isinstance(error, TooSlowError):
         return _refusal(fault(error).model_copy(update={"again": True}), 503, {"retry-after": "1"})
-    return _refusal(fault(error), 422)
+    return _refusal(fault(error), 507 if isinstance(error, FullDiskError) else 422)
+
+
+async def _gone(_: Request, error: Exception) -> Response:  # noqa: ARG001 - nobody is left to read it
+    return Response(status_code=400)
 
 
 async def _broken(_: Request, error: Exception) -> JSONResponse:  # noqa: ARG001 - the server logs it

@@ -1,7 +1,8 @@
 """Files that a page hands in, piece by piece, into a folder of this server's own: sounds of taps, tables of a season.
 
-A name of ours stands for each file, never a path; what was not used for an hour is thrown away, and everything is when
-the server ends. Nothing leaves this machine. What long work makes of files lies beside them, and can be taken away.
+A name of ours stands for each file, never a path. Room on the disk is kept for what was announced; what gets no byte
+for a minute, or was not used for an hour, is thrown away, and everything is when the server ends. Nothing leaves this
+machine. What long work makes of files lies beside them, and can be taken away.
 """
 
 from __future__ import annotations
@@ -21,14 +22,17 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from sweetspot.calibration.recording import OF_PHONES, SOUND_FILES
 from sweetspot.errors import InputError
-from sweetspot.web.errors import FieldError
+from sweetspot.web.errors import FieldError, FullDiskError
 from sweetspot.web.limits import LARGEST_PIECE
 
 LARGEST_FILE = 2_000_000_000
 """Bytes of one file."""
-MOST_FILES = 200
+MOST_FILES, MOST_OF_ONE = 200, 100
+"""Files that lie here at once, and of one sender."""
 FORGOTTEN = 3600.0
 """s after which an unused file is thrown away."""
+ABANDONED = 60.0
+"""s after which a file of which not all has come is thrown away where no more comes."""
 SPARE = 500_000_000
 """Bytes of the disk that are never filled."""
 ENDINGS = (".csv", ".tsv", ".gz", ".parquet", ".txt", *SOUND_FILES, *OF_PHONES)
@@ -60,8 +64,14 @@ class _File:
     path: Path
     size: int
     of: tuple[str, ...] = ()
+    sender: str = ""
     taken: int = 0
     used: float = field(default_factory=time.monotonic)
+
+    @property
+    def patience(self) -> float:
+        """How long it may be left alone, s."""
+        return FORGOTTEN if self.taken == self.size else ABANDONED
 
 
 class Uploads:
@@ -72,22 +82,24 @@ class Uploads:
         self._lock = threading.Lock()
         self._folder: Path | None = None
 
-    def begin(self, new: NewFile) -> str:
-        """Make room for a file; return the key under which its pieces, and then it, are known."""
+    def begin(self, new: NewFile, sender: str = "") -> str:
+        """Keep room for a file; return the key under which its pieces, and then it, are known."""
         suffixes = Path(new.name.lower()).suffixes
         ending = "".join(suffixes[-2:] if suffixes[-1:] == [".gz"] else suffixes[-1:])
         if not ending.endswith(ENDINGS):
             raise FieldError("name", f"{new.name[:60]!r} ends in none of {', '.join(ENDINGS)}")
         with self._lock:
             self._forget()
-            if len(self._files) >= MOST_FILES:
-                raise InputError(f"{MOST_FILES} files lie here already; close what is not needed, or wait")
+            of_one = sum(file.sender == sender for file in self._files.values())
+            if len(self._files) >= MOST_FILES or of_one >= MOST_OF_ONE:
+                raise InputError(f"{min(len(self._files), of_one)} files lie here already; wait, or hand in fewer")
             folder = self._made()
-            if shutil.disk_usage(folder).free - new.size < SPARE:
-                raise FieldError("size", "there is not enough room on this machine's disk for that file")
+            announced = sum(file.size - file.taken for file in self._files.values())
+            if shutil.disk_usage(folder).free - announced - new.size < SPARE:
+                raise FullDiskError("size", "there is not enough room on this machine's disk for that file")
             key = secrets.token_urlsafe(12)
             safe = "".join(letter if letter.isalnum() or letter in "._-" else "_" for letter in ending)[-20:]
-            self._files[key] = _File(Path(new.name).name, folder / f"{key}{safe}", new.size)
+            self._files[key] = _File(Path(new.name).name, folder / f"{key}{safe}", new.size, sender=sender)
         return key
 
     def begin_folder(self, of: tuple[str, ...]) -> str:
@@ -105,8 +117,13 @@ class Uploads:
         upload = self._found(key)
         if offset != upload.taken or upload.taken + len(piece) > upload.size:
             raise FieldError("offset", f"the next piece begins at {upload.taken} and the file ends at {upload.size}")
-        with upload.path.open("ab") as file:
-            file.write(piece)
+        try:
+            with upload.path.open("r+b" if upload.taken else "wb") as file:
+                file.seek(upload.taken)  # over what a full disk left of a piece
+                file.write(piece)
+        except OSError as error:
+            reason = (error.strerror or str(error)).lower()
+            raise FullDiskError("size", f"this machine could not keep that file: {reason}") from None
         upload.taken += len(piece)
         return upload.taken
 
@@ -148,7 +165,7 @@ class Uploads:
         return self._folder
 
     def _forget(self) -> None:
-        for key in [key for key, file in self._files.items() if time.monotonic() - file.used > FORGOTTEN]:
+        for key in [key for key, file in self._files.items() if time.monotonic() - file.used > file.patience]:
             path = self._files.pop(key).path
             if path.is_dir():
                 shutil.rmtree(path, ignore_errors=True)
@@ -164,9 +181,9 @@ def upload_routes(api: APIRouter) -> None:
     """Add the routes by which files come."""
 
     @api.post("/uploads", tags=["files"])
-    def begin(new: NewFile) -> AnnouncedFile:
+    def begin(new: NewFile, request: Request) -> AnnouncedFile:
         """Announce a file; pieces of it follow."""
-        return AnnouncedFile(upload=UPLOADS.begin(new))
+        return AnnouncedFile(upload=UPLOADS.begin(new, request.client.host if request.client else ""))
 
     @api.post("/uploads/{key}/{offset}", tags=["files"])
     async def add(key: str, offset: int, request: Request) -> dict[str, int]:
