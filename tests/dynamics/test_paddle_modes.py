@@ -84,7 +84,7 @@ def test_followed_modes_and_the_rest_deflect_as_the_plate_does() -> None:
 
 
 def test_rebounds_hold_with_more_elements_and_more_modes(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Convergence: half as large elements and twice the modes move the rebound by less than 0.003 of the speed."""
+    """Convergence: elements two thirds as wide and twice the modes move the rebound by less than 0.002 of the speed."""
     tool, ball = paddle(), catalog.ball("pickleball")
 
     def rebound(columns: int, even: int) -> float:
@@ -101,7 +101,7 @@ def test_rebounds_hold_with_more_elements_and_more_modes(monkeypatch: pytest.Mon
             monkeypatch.undo()
             _vibrations.cache_clear()
 
-    assert rebound(16, 52) == pytest.approx(rebound(8, 26), abs=0.003)
+    assert rebound(18, 52) == pytest.approx(rebound(12, 26), abs=0.002)
 
 
 def test_reference_and_compiled_kernel_agree_beside_the_line() -> None:
@@ -141,7 +141,7 @@ def test_a_clamp_turns_about_its_axis(moi: float) -> None:
 
 
 def test_a_softened_core_is_livelier_and_lower() -> None:
-    """A core-crushed paddle: e_A of 0.26 becomes about 0.35 [technicalpickleball], the tone of its face falls."""
+    """A core-crushed paddle: e_A of 0.26 becomes about 0.35 [technicalpickleball_power], the tone of its face falls."""
     sound, ball = paddle(), catalog.ball("pickleball")
     found = {}
     for radius in (0.045, 0.065):
@@ -150,7 +150,7 @@ def test_a_softened_core_is_livelier_and_lower() -> None:
         rebound = hit(plate_modes(beam_model(crushed)), ball=ball, position=at(sound), closing_speed=50 * MPH)
         found[radius] = rebound.collision_efficiency, face_tone(crushed) / face_tone(sound)
         assert face_stiffness(crushed) < 0.7 * face_stiffness(sound)
-    assert 0.33 < found[0.045][0] < found[0.065][0] < 0.39
+    assert 0.339 < found[0.045][0] < found[0.065][0] < 0.39
     assert 0.6 < found[0.065][1] < found[0.045][1] < 0.87
 
 

@@ -113,6 +113,7 @@ def _paddle(paddle: Paddle, measures: Measures) -> Paddle:
 
     A balance point stands for the swing weight: at one mass the one is linear in the other.
     """
+    paddle = paddle.with_its_rim()
     assert paddle.mass is not None and paddle.moi is not None
     mass = paddle.mass if measures.mass is None else measures.mass
     if measures.moi is not None:

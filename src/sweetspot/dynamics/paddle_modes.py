@@ -29,12 +29,12 @@ from sweetspot.dynamics.plate import (
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.implement import AddedMass
 from sweetspot.equipment.laminate import laminate_stiffness
-from sweetspot.equipment.paddle import HANDLE_STIFFER, Paddle
+from sweetspot.equipment.paddle import HANDLE_STIFFER, Paddle, SoftSpot
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.eigen import eigenpairs
 
-COLUMNS = 8
-"""Elements from the line to the edge; twice as many each way move the rebound by 0.002 of the incoming speed."""
+COLUMNS = 12
+"""Elements from the line to the edge; half as many again move the rebound by less than 0.001 of the incoming speed."""
 EVEN_MODES, ODD_MODES = 26, 16
 """Vibrations that are followed in time, alike on both sides of the line and against each other."""
 BENDING = 0.6
@@ -42,6 +42,8 @@ BENDING = 0.6
 face's [our choice]; the lowest always is."""
 RINGS, SPOKES = 4, 12
 """Places of a patch at which its pressure is taken."""
+SAMPLES = 8
+"""Points each way in an element, by which the part of it inside a soft spot is counted."""
 
 
 @dataclass(frozen=True)
@@ -149,11 +151,8 @@ def half_of(paddle: Paddle, mesh: PlateMesh, symmetry: Symmetry) -> PlateHalf:
     in_hand = middles[:, 0] < paddle.handle_length
     stiffer = np.where(in_hand, HANDLE_STIFFER, 1.0)
     shear = paddle.shear * stiffer
-    spot = paddle.soft_spot
-    if spot is not None:
-        shear = shear * np.where(
-            np.hypot(middles[:, 0] - spot.position, middles[:, 1]) <= spot.radius, spot.factor, 1.0
-        )
+    if paddle.soft_spot is not None:
+        shear = shear * (1 - (1 - paddle.soft_spot.factor) * _part_inside(mesh, paddle.soft_spot))
     handle = paddle.handle_mass / (paddle.handle_length * paddle.handle_width)
     properties = PlateProperties(
         bending=stiffer[:, None, None] * paddle.bending,
@@ -162,10 +161,21 @@ def half_of(paddle: Paddle, mesh: PlateMesh, symmetry: Symmetry) -> PlateHalf:
         inertia=np.full(len(middles), paddle.areal_inertia),
     )
     of_head = mesh.x[:-1] >= paddle.handle_length - 1e-9
-    added = along_edges(mesh, np.concatenate([mesh.edge[of_head], mesh.tip]), paddle.rim_per_length)
+    rows = np.concatenate([(mesh.x[:-1] + mesh.x[1:])[of_head] / 2, np.full(mesh.columns, paddle.length)])
+    added = along_edges(mesh, np.concatenate([mesh.edge[of_head], mesh.tip]), paddle.rim_per_length(rows))
     for weight in paddle.added:
         added += _lead(mesh, weight)
     return plate_half(mesh, properties, added=added, symmetry=symmetry)
+
+
+def _part_inside(mesh: PlateMesh, spot: SoftSpot) -> Array:
+    """Return the part of every element that lies inside a soft spot, shape (elements,)."""
+    one_way = (np.arange(SAMPLES) + 0.5) / SAMPLES
+    along, across = (grid.ravel() for grid in np.meshgrid(one_way, one_way))
+    shares = np.stack([(1 - along) * (1 - across), along * (1 - across), along * across, (1 - along) * across])
+    places = np.einsum("kn,ekc->enc", shares, mesh.places[mesh.elements])
+    inside = np.hypot(places[..., 0] - spot.position, places[..., 1]) <= spot.radius
+    return np.asarray(inside.mean(axis=1))
 
 
 def _lead(mesh: PlateMesh, weight: AddedMass) -> Array:
@@ -258,8 +268,8 @@ def _signs(columns: Array) -> Array:
 def face_tone(paddle: Paddle) -> float:
     """Return the tone of a paddle's face in Hz, that people hear as its membrane [technicalpickleball_feel].
 
-    It is the vibration that has the greatest part in the slow deflection of the face's middle, s_i^2 / omega_i^2; the
-    paddle's first bending mode, which the hand feels, is left out.
+    It is the vibration of the family "face" that has the greatest part in the slow deflection of the face's middle,
+    s_i^2 / omega_i^2; those that bend the paddle, which the hand feels, are left out.
 
     >>> from sweetspot import catalog
     >>> bool(900 < face_tone(catalog.implement("pickleball-paddle")) < 1000)
@@ -267,8 +277,10 @@ def face_tone(paddle: Paddle) -> float:
     """
     mesh, even = mesh_of(paddle), _vibrations(paddle, None)["even"]
     nodes, shares = weights_at(mesh, np.array(paddle.outline.middle), np.array(0.0))
-    part = (shares @ even.vectors[nodes])[1:] / even.omega[1:]
-    return float(even.omega[1 + int(np.argmax(np.abs(part)))] / (2 * np.pi))
+    families, _ = _names(mesh, even, paddle, (0, 0))
+    of_face = np.array([family == "face" for family in families[:EVEN_MODES]])
+    part = (shares @ even.vectors[nodes])[:EVEN_MODES] / even.omega[:EVEN_MODES]
+    return float(even.omega[int(np.argmax(np.where(of_face, np.abs(part), 0.0)))] / (2 * np.pi))
 
 
 TIP_RADIUS = 0.014

@@ -49,7 +49,8 @@ class Paddle(Implement):
     """A paddle without strings: pickleball, padel.
 
     The plate weighs what core, skins and glue weigh; the rest of the measured mass lies in the rim and in the handle,
-    divided between them so that the swing weight is the measured one. The twist weight follows.
+    divided between them so that the swing weight is the measured one. The twist weight follows. Where it was measured
+    too, it says how much of the rim lies round the tip, with its corners, and how much along the sides.
 
     Raises `InputError` without mass or swing weight, where rim or handle would weigh less than nothing, or when the
     parts do not fit the length.
@@ -58,6 +59,7 @@ class Paddle(Implement):
     ----------
     name, length, sport, choke : as for every `Implement`.
     mass : kg, needed. moi : swing weight about ``moi_axis``, kg m^2, needed.
+    twist_moi : measured twist weight about its own axis, kg m^2; None: it follows.
     handle_length, handle_width : m; the handle is as wide all along.
     throat : m over which the handle widens to the head, a quarter of an ellipse.
     head_width : m.
@@ -66,6 +68,7 @@ class Paddle(Implement):
     core_modulus : Pa, through the thickness; for the deflection of the face under a small tip only.
     skin : one of the two, outwards; angle 0 along the handle.
     glue : kg/m^2, glue and paint together.
+    rim_at_tip : mass per length of the rim round the tip over that along the sides; with ``twist_moi`` it follows.
     soft_spot : where the core is crushed; None: nowhere.
     patch : m, radius of the round patch through which the ball pushes.
     damping : fraction of critical damping of its vibrations, in [0, 0.5).
@@ -84,6 +87,8 @@ class Paddle(Implement):
     core_modulus: Positive
     skin: Laminate
     glue: NonNegative = 0.0
+    twist_moi: Positive | None = None
+    rim_at_tip: Positive = 1.0
     soft_spot: SoftSpot | None = None
     patch: Positive
     damping: Annotated[float, Field(ge=0, lt=0.5)] = 0.02
@@ -103,12 +108,14 @@ class Paddle(Implement):
             )
         if not max(self.handle_width, 2 * self.corner_radius) < self.head_width:
             raise ValueError(f"the head is {self.head_width:.4g} m wide; allowed is more than handle and two corners")
-        rim, handle = self._rim_and_handle
-        if min(rim, handle) < 0:
+        sides, tip, handle = self._weights
+        if min(sides, tip, handle) < 0:
+            others = "swing weight" if self.twist_moi is None else "swing weight and twist weight"
             raise ValueError(
-                f"with {format_mass(self.mass)} and this swing weight the rim of {self.name} would weigh "
-                f"{format_mass(rim)} and the handle, beyond its part of the plate, {format_mass(handle)}; check mass, "
-                "swing weight and core"
+                f"with {format_mass(self.mass)} and this {others} the rim of {self.name} would weigh "
+                f"{format_mass(sides)} along its sides and {format_mass(tip)} round its tip, and the handle, beyond "
+                f"its part of the plate, {format_mass(handle)}; check mass, {others.replace(' and ', ', ')}, width of "
+                "the head and core"
             )
         return self
 
@@ -168,12 +175,18 @@ class Paddle(Implement):
     @property
     def rim_mass(self) -> float:
         """Mass of the rim round the head, kg."""
-        return self._rim_and_handle[0]
+        return self._weights[0] + self._weights[1]
 
     @property
     def handle_mass(self) -> float:
         """Mass of the handle beyond its part of the plate, kg."""
-        return self._rim_and_handle[1]
+        return self._weights[2]
+
+    def rim_per_length(self, position: ArrayLike) -> Array:
+        """Return the mass of the rim per length of the edge in kg/m, at places in m from the butt end."""
+        sides, tip, _ = self._weights
+        (along, round_tip), corner = self._edge_lengths, self.length - self.corner_radius
+        return np.where(np.asarray(position, float) < corner, sides / along, tip / round_tip)
 
     def breakpoints(self) -> tuple[float, ...]:
         """Return the ends of the pieces, between which the outline is straight; closer where it turns."""
@@ -211,7 +224,10 @@ class Paddle(Implement):
         """Return the sections at positions in m of the plate as a beam of its width, with rim and handle."""
         width = self.width_at(position)
         in_hand = np.where(position < self.handle_length, 1.0, 0.0)
-        rim, handle = self.rim_per_length * 2 * self._edge(position), self.handle_mass / self.handle_length * in_hand
+        rim, handle = (
+            self.rim_per_length(position) * 2 * self._edge(position),
+            self.handle_mass / self.handle_length * in_hand,
+        )
         stiffer = np.where(in_hand > 0, HANDLE_STIFFER, 1.0)
         mass = width * self.areal_mass + rim + handle
         rotary = width * self.areal_inertia
@@ -222,12 +238,8 @@ class Paddle(Implement):
 
     def lumps(self) -> tuple[Lump, ...]:
         """Return the part of the rim that crosses the tip."""
-        return (self._across_tip(self.rim_per_length),)
-
-    def _across_tip(self, per_edge: float) -> Lump:
-        """Return the rim across the tip, of a mass per length in kg/m."""
-        width = float(self._widths[-1])
-        return Lump(self.length, per_edge * width, roll_moi=per_edge * width**3 / 12)
+        width, per_edge = float(self._widths[-1]), float(self.rim_per_length(self.length))
+        return (Lump(self.length, per_edge * width, roll_moi=per_edge * width**3 / 12),)
 
     def _edge(self, position: Array) -> Array:
         """Return the length of one edge of the head per length of the line; 0 beside the handle."""
@@ -237,28 +249,48 @@ class Paddle(Implement):
         return np.where(position < self.handle_length, 0.0, np.sqrt(1 + steep[piece] ** 2))
 
     @cached_property
-    def rim_per_length(self) -> float:
-        """Mass of the rim per length of the edge, kg/m."""
-        return self.rim_mass / self._edge_length
-
-    @cached_property
-    def _edge_length(self) -> float:
-        """Length of the head's edge in m, both sides and the tip."""
+    def _edge_lengths(self) -> tuple[float, float]:
+        """Lengths of the head's edge in m: along both sides, and round the tip with its corners."""
         places, weights = quadrature(self._stations)
-        return float(2 * np.sum(weights * self._edge(places)) + self._widths[-1])
+        edge, beside = 2 * weights * self._edge(places), places < self.length - self.corner_radius
+        return float(np.sum(edge[beside])), float(np.sum(edge[~beside]) + self._widths[-1])
 
     @cached_property
-    def _rim_and_handle(self) -> tuple[float, float]:
-        """Masses of rim and handle in kg that give the measured mass and swing weight: two equations, two unknowns."""
+    def _weights(self) -> tuple[float, float, float]:
+        """Masses in kg of the rim along the sides and round the tip and of the handle that give what was measured.
+
+        Three linear equations for mass, swing weight and twist weight; without the last, the two parts of the rim are
+        in the given proportion.
+        """
         assert self.mass is not None and self.moi is not None  # refused at construction
         places, weights = quadrature(self._stations)
         width, arm = self.width_at(places), places - self.moi_axis
-        edge = 2 * self._edge(places) / self._edge_length
-        tip = float(self._widths[-1]) / self._edge_length
-        of_rim = float(np.sum(weights * edge * arm**2)) + tip * (self.length - self.moi_axis) ** 2
+        tip_width, tip_arm = float(self._widths[-1]), self.length - self.moi_axis
+        edge, beside = 2 * weights * self._edge(places), places < self.length - self.corner_radius
+        along, round_tip = self._edge_lengths
+
+        def of_edge(edge: Array, tip: float, length: float) -> Array:
+            turning, twisting = np.sum(edge * arm**2) + tip * tip_arm**2, np.sum(edge * width**2) / 4
+            return np.array([length, turning, twisting + tip * tip_width**2 / 12]) / length
+
+        of_sides = of_edge(np.where(beside, edge, 0.0), 0.0, along)
+        of_tip = of_edge(np.where(beside, 0.0, edge), tip_width, round_tip)
         ends = ((0.0 - self.moi_axis) ** 3, (self.handle_length - self.moi_axis) ** 3)
-        of_handle = (ends[1] - ends[0]) / (3 * self.handle_length)
-        plate = float(np.sum(weights * width)) * self.areal_mass
-        turning = float(np.sum(weights * width * (self.areal_mass * arm**2 + self.areal_inertia)))
-        rim, handle = np.linalg.solve([[1.0, 1.0], [of_rim, of_handle]], [self.mass - plate, self.moi - turning])
-        return float(rim), float(handle)
+        of_handle = np.array([1.0, (ends[1] - ends[0]) / (3 * self.handle_length), self.handle_width**2 / 12])
+        of_plate = np.array([np.sum(weights * part) for part in (width, width * arm**2, width**3 / 12)])
+        rotary = float(np.sum(weights * width)) * self.areal_inertia
+        rest = np.array([self.mass, self.moi - rotary, (self.twist_moi or 0.0) - rotary]) - self.areal_mass * of_plate
+        if self.twist_moi is None:
+            part = self.rim_at_tip * round_tip / (along + self.rim_at_tip * round_tip)
+            of_rim = (1 - part) * of_sides + part * of_tip
+            rim, handle = np.linalg.solve(np.stack([of_rim, of_handle], axis=1)[:2], rest[:2])
+            return float((1 - part) * rim), float(part * rim), float(handle)
+        sides, tip, handle = np.linalg.solve(np.stack([of_sides, of_tip, of_handle], axis=1), rest)
+        return float(sides), float(tip), float(handle)
+
+    def with_its_rim(self) -> Paddle:
+        """Return the paddle with the rim that its twist weight says, so that the twist follows what is changed."""
+        if self.twist_moi is None:
+            return self
+        at_tip, beside = self.rim_per_length(self.length), self.rim_per_length(self.handle_length)
+        return self.replaced(rim_at_tip=float(at_tip / beside), twist_moi=None)

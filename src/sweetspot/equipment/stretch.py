@@ -104,4 +104,6 @@ def _paddle(paddle: Paddle, length: float) -> Paddle:
     assert paddle.moi is not None
     spot, longer = paddle.soft_spot, length - paddle.length
     moved = None if spot is None else spot.replaced(position=spot.position + longer)
-    return paddle.replaced(length=length, soft_spot=moved, moi=paddle.moi * (length / paddle.length) ** 2)
+    return paddle.with_its_rim().replaced(
+        length=length, soft_spot=moved, moi=paddle.moi * (length / paddle.length) ** 2
+    )

@@ -51,7 +51,7 @@ ERROR_FROM: dict[ErrorFrom, str] = {
 """Where the error of a printed value comes from. All but the last can be written down before ours is computed."""
 Subject = Literal[
     "wood bats and baseballs", "hollow bats and softball", "cricket", "tennis", "table tennis", "badminton", "golf",
-    "field hockey",
+    "field hockey", "pickleball", "squash",
 ]  # fmt: skip
 """What a source is about."""
 

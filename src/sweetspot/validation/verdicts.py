@@ -25,7 +25,7 @@ UNITS |= {
     "lbf": POUND_FORCE,
     "GPa": 1e9,
 }
-UNITS |= {"lbf": POUND_FORCE, "1/m": 1.0, "rpm": RPM, "rpm/deg": RPM / DEGREE, "deg": DEGREE}
+UNITS |= {"per mph": 1 / MPH, "lbf": POUND_FORCE, "1/m": 1.0, "rpm": RPM, "rpm/deg": RPM / DEGREE, "deg": DEGREE}
 """Units of printed values, each in SI."""
 
 _INPUTS: dict[Kind, str] = {

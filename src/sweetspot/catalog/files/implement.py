@@ -238,6 +238,8 @@ class PaddleFile(CommonTable):
     core_modulus: Annotated[str, PRESSURE] = Field("40 MPa", description="of the core through its thickness")
     skin: Plies = Field(description="plies of one skin, outwards; angle 0 along the handle")
     glue: Annotated[str, AREAL_DENSITY] = Field("0 kg/m^2", description="and paint")
+    twist_moi: Annotated[str | None, MOI] = Field(None, description="measured, about the long axis")
+    rim_at_tip: float = Field(1.0, description="mass per length of the rim round the tip over that along the sides")
     soft_spot: Annotated[SoftSpotTable | None, Made(SoftSpot, SoftSpotTable)] = None
     patch: Length = Field("16 mm", description="radius of the round patch through which the ball pushes")
     damping: float = Field(0.01, description="fraction of critical damping, hung freely")
@@ -246,6 +248,7 @@ class PaddleFile(CommonTable):
     swing_weight: float | str | None = Field(
         None, description="in place of moi, about the axis of the sport; a number is in kg cm^2"
     )
+    twist_weight: float | str | None = Field(None, description="in place of twist_moi; a number is in kg cm^2")
 
 
 def implement_of_table(table: TomlTable, where: str) -> Implement:

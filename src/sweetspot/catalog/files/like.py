@@ -20,6 +20,7 @@ from sweetspot.catalog.scaled_implements import Measures, scaled_to
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.implement import AddedMass
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.equipment.stretch import stretched
 from sweetspot.errors import InputError
 from sweetspot.plausibility import parse
@@ -32,7 +33,8 @@ OF_THE_PARENT = ("note", "original", "fitted")
 """Keys of a parent's file that hold for the parent alone."""
 KNOWN_BY_MEASURES = ("racket", "golf-club", "paddle")
 """Kinds that cannot be without what was measured, or its parts: what their files leave out keeps the parent's."""
-
+OF_PLATE = "head_width corner_radius throat handle_length handle_width skin core_thickness core_density glue rim_at_tip"
+"""Fields of a paddle with which its twist weight changes."""
 CHANGED = ", changed"
 """Ending of the default name, where a file gives none."""
 UNITS: dict[str, tuple[Kind, str]] = {
@@ -114,7 +116,8 @@ def _changed(parent: TomlTable, changes: TomlTable) -> TomlTable:
     if {"ra", "first_frequency"} & changes.keys():  # one of them is enough
         base = _without(base, "ra", "first_frequency")
     if parent.get("kind") in KNOWN_BY_MEASURES:
-        return {**_completed(base, _without(changes, *MEASURED, "moi_axis")), "original": measured_on}
+        table = _completed(base, _without(changes, *MEASURED, "moi_axis"))
+        return {**table, **_bare_twist(table, changes), "original": measured_on}
     base = _without(base, *MEASURED)
     if _is_other_material(before, after):
         return _completed(_without(base, "calibration", "density_gradient"), changes)
@@ -127,6 +130,10 @@ def _base(parent: TomlTable, changes: TomlTable) -> TomlTable:
     length = _quantity(changes, "length", "length")
     if length == _quantity(parent, "length", "length"):
         length = None
+    if parent.get("kind") == "paddle" and "twist_moi" not in changes and changes.keys() & set(OF_PLATE.split()):
+        paddle = implement_of_table(parent, "its parent")
+        assert isinstance(paddle, Paddle)  # its twist weight will follow
+        parent = {**_kept(parent), **_without(implement_table(paddle.with_its_rim()), "original")}
     if parent.get("kind") in KNOWN_BY_MEASURES and (length is not None or set(MEASURED) & changes.keys()):
         return _scaled_to(parent, changes, length)
     if length is None or (changes.keys() & OUTLINES and "shell" not in parent):  # a new outline has its own length
@@ -147,6 +154,15 @@ def _scaled_to(parent: TomlTable, changes: TomlTable, length: float | None) -> T
     follows = [name for name in MEASURED if name not in changes and getattr(made, name) != getattr(plain, name)]
     fitted = [name for name in MEASURED if name in follows or (name in tool.fitted and name not in changes)]
     return {**_kept(parent), **implement_table(made.replaced(fitted=tuple(fitted)))}
+
+
+def _bare_twist(table: TomlTable, changes: TomlTable) -> TomlTable:
+    """Return the twist weight that a file gives, converted to that without the added weights, which lie beside it."""
+    twist = _quantity(changes, "twist_moi", "moi")
+    if twist is None:
+        return {}
+    weights = _weights(table, str(table["kind"]))
+    return {"twist_moi": f"{twist - sum(weight.mass * weight.lateral**2 for weight in weights)!r} kg*m^2"}
 
 
 def _before_added(table: TomlTable) -> TomlTable:

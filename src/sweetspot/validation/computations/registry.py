@@ -18,6 +18,7 @@ from sweetspot.validation.computations import (
     golf,
     hollow,
     modes,
+    paddles,
     rigid,
     shared,
     space,
@@ -43,7 +44,7 @@ _OTHERS: dict[str, Callable[..., Any]] = {
 
 COMPUTATIONS = _OTHERS | {
     name: function
-    for module in (rigid, modes, collision, bat_tests, hollow, field_tests, space, sports, golf, flight)
+    for module in (rigid, modes, collision, bat_tests, hollow, field_tests, space, sports, golf, paddles, flight)
     for name, function in vars(module).items()
     if name[0] != "_" and getattr(function, "__module__", "") == module.__name__ and _is_computation(function)
 }
