@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
@@ -61,14 +61,18 @@ class DrawingOptions:
     out: Annotated[
         list[Path] | None,
         Parameter(
-            help="Bat file (.toml), stations (.csv), table for a lathe (.lathe.csv), drawing 1:1 (.svg, .dxf) or solid "
-            "(.step, .stl); may be given again."
+            help="Bat file (.toml), stations (.csv), drawing 1:1 (.svg, .dxf), template to print 1:1 (.pdf), solid "
+            "(.step, .stl), table for a lathe (.lathe.csv) or its program (.nc, .ngc, .gcode); may be given again."
         ),
     ] = None
     league: Annotated[
         str,
         Parameter(help="Whose rules a drawing has to keep: a league of the catalogue, or none. Default: the sport's."),
     ] = ""
+    paper: Annotated[Literal["a4", "letter"], Parameter(help="Of a template.")] = "a4"
+    lathe: Annotated[
+        str, Parameter(help="Control of a program: linuxcnc, fanuc, grbl, or a TOML file with stock, tool and passes.")
+    ] = "linuxcnc"
 
 
 DEFAULT_DRAWING = DrawingOptions()
@@ -99,7 +103,7 @@ def outline(
 
     found = outline_answer(_question(source, sizes, columns, material=material, name=name, league=drawn.league))
     document = outline_document(found)
-    contents = {path: _content(path, found, document.reader_of(answer.units)) for path in drawn.out or []}
+    contents = {path: _content(path, found, document.reader_of(answer.units), drawn) for path in drawn.out or []}
     if contents:
         from sweetspot.reports.files import write_all
 
@@ -138,14 +142,15 @@ def _league(bat: Implement, name: str) -> League | None:
     return None if chosen is None else league(chosen)
 
 
-def _content(path: Path, found: OutlineAnswer, reading: Reader) -> bytes:
+def _content(path: Path, found: OutlineAnswer, reading: Reader, options: DrawingOptions) -> bytes:
     """Return the contents of a file with this name."""
     from sweetspot.catalog.files.write import implement_toml, legible
     from sweetspot.reports.calibration.outline_report import drawing_remarks
-    from sweetspot.reports.drawings.drawing_file import ENDINGS, drawing_bytes
+    from sweetspot.reports.drawings.drawing_file import ENDINGS, Workshop, drawing_bytes
 
     if path.suffix.lower() == BAT_FILE:
         return legible(implement_toml(found.bat)).encode()
     if not path.name.lower().endswith(ENDINGS):
         raise InputError(f"--out was given as {path}; write to a name that ends in {', '.join((BAT_FILE, *ENDINGS))}")
-    return drawing_bytes(found.bat, path, reading=reading, remarks=drawing_remarks(found.broken, reading))
+    workshop = Workshop(tuple(drawing_remarks(found.broken, reading)), options.paper, options.lathe)
+    return drawing_bytes(found.bat, path, reading=reading, workshop=workshop)

@@ -23,7 +23,7 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
-from sweetspot.reports.drawings.drawing_file import drawing_bytes
+from sweetspot.reports.drawings.drawing_file import Workshop, drawing_bytes
 from sweetspot.reports.drawings.meridian import (
     MeridianCurve,
     bezier,
@@ -227,7 +227,7 @@ def test_another_program_reads_the_step(bat: Bat, tmp_path: Path) -> None:
 
 def test_step_of_an_odd_name_is_plain_text() -> None:
     bat = catalog.bat("mlb-a").replaced(name="Bob's µ-bat\\")
-    content = drawing_bytes(bat, Path("bat.stp"), remarks=["NOT LEGAL: ¾ in too long"]).decode("ascii")
+    content = drawing_bytes(bat, Path("bat.stp"), workshop=Workshop(("NOT LEGAL: ¾ in too long",))).decode("ascii")
     assert r"'Bob''s \X2\00B5\X0\-bat\\'" in content
     assert r"NOT LEGAL: \X2\00BE\X0\ in too long" in content
 

@@ -120,7 +120,7 @@ def _files(design: Designed) -> dict[str, Callable[[Reader], bytes]]:
     return files
 
 
-DRAWN_BATS, DRAWN_OTHERS = ("svg", "dxf", "csv", "lathe.csv", "stl", "step"), ("svg", "dxf")
+DRAWN_BATS, DRAWN_OTHERS = ("svg", "dxf", "pdf", "csv", "lathe.csv", "stl", "step"), ("svg", "dxf", "pdf")
 """Endings of the drawings that go along with a round bat, and with anything else."""
 
 
@@ -287,9 +287,9 @@ def drawing(bat: Implement, ending: str, reading: Reader, remarks: Sequence[str]
     """Return the drawing of a bat as a file with this ending; ``remarks``: what must stand on it."""
     from pathlib import Path
 
-    from sweetspot.reports.drawings.drawing_file import drawing_bytes
+    from sweetspot.reports.drawings.drawing_file import Workshop, drawing_bytes
 
-    return drawing_bytes(bat, Path(f"bat.{ending}"), reading=reading, remarks=remarks)
+    return drawing_bytes(bat, Path(f"bat.{ending}"), reading=reading, workshop=Workshop(tuple(remarks)))
 
 
 def tolerance_paragraph(design: Designed) -> list[Paragraph]:
