@@ -22,6 +22,8 @@ MOST_PER_BYTE = 240
 """Pixels in a byte of a file; a drawing of three plain colours has about 200, one colour alone 250 to 320."""
 LONGEST_SIDE, SHORTEST_SIDE = 6000, 300
 """Pixels; larger pictures are made smaller, smaller ones show nothing."""
+NARROWEST = 16
+"""Pixels of the short side: a handle of one pixel, and ground on both sides of the barrel."""
 DIAGONAL = 43.2666
 """mm of a 24 x 36 mm frame, to which cameras refer their focal length (exact)."""
 FOCAL_LENGTH_35, EXIF = 0xA405, 0x8769
@@ -105,7 +107,7 @@ def read_picture(path: Path) -> Photograph:
     _refuse_heif(path)
     try:
         with (
-            warnings.catch_warnings(action="ignore", category=Image.DecompressionBombWarning),  # refused below
+            warnings.catch_warnings(action="ignore"),  # of sizes, refused below, and of tags that nobody asks for
             Image.open(path) as file,
         ):
             if file.width * file.height > MOST_PIXELS:
@@ -130,8 +132,10 @@ def read_picture(path: Path) -> Photograph:
         raise InputError(f"{path} cannot be read: {reason}") from None
     if max(opaque.size) > LONGEST_SIDE:
         opaque.thumbnail((LONGEST_SIDE, LONGEST_SIDE))
-    if min(opaque.size) < 2 or max(opaque.size) < SHORTEST_SIDE:
-        raise InputError(f"{path} has {opaque.width} x {opaque.height} pixels; a bat needs at least {SHORTEST_SIDE}")
+    if min(opaque.size) < NARROWEST or max(opaque.size) < SHORTEST_SIDE:
+        raise InputError(
+            f"{path} has {opaque.width} x {opaque.height} pixels; a bat needs at least {SHORTEST_SIDE} x {NARROWEST}"
+        )
     _check_shown(np.asarray(opaque), path)
     pixels = np.asarray(opaque, dtype=np.float64) / 255
     opacity = pixels[..., 3] if pixels.shape[2] == 4 and pixels[..., 3].min() < SEEN else None
