@@ -15,12 +15,12 @@ from sweetspot.analysis.comparison import compare
 from sweetspot.answers.compare import compare_of
 from sweetspot.answers.report import misses_of
 from sweetspot.equipment.implement import Implement
-from sweetspot.numerics.interval import NO_SPEED, Interval, sure_sign
+from sweetspot.numerics.interval import NO_SPEED, Interval, chance_above, sure_sign
 from sweetspot.reports.bat.document import report_document
 from sweetspot.reports.bat.tables import spots_table
 from sweetspot.reports.bat.words import answer_words
 from sweetspot.reports.comparison.document import comparison_document
-from sweetspot.reports.comparison.words import changes, cork_verdict, verdict
+from sweetspot.reports.comparison.words import PROBABLY, changes, cork_verdict, verdict
 from sweetspot.reports.document import Document, Paragraph, Section, Table
 from sweetspot.reports.quantities import SYSTEMS, US
 from sweetspot.reports.sentences import joined, read
@@ -100,17 +100,22 @@ def test_a_comparison_s_words_have_the_signs_of_its_changes() -> None:
         text, gain = str(sentence), bat.bat_speed.value - comparison.reference.bat_speed.value
         change, low, high = (data["change_m_s"][end] for end in ("value", "low", "high"))
         swung, _, leaves = text.partition("the ball leaves ")
-        assert numbers_after(sentence, "the ball leaves ") == pytest.approx([abs(change), low, high])
+        assert numbers_after(sentence, "the ball leaves ")[:3] == pytest.approx([abs(change), low, high])
         assert bat.label in swung and ("faster" in leaves, "slower" in leaves) == (change > 0, change < 0)
         assert ("faster" in swung, "slower" in swung) == (gain > NO_SPEED, gain < -NO_SPEED)
         sure = sure_sign(low, high, nothing=NO_SPEED)
-        assert text.endswith({0: ": the sign is not sure.", 1: ": a gain.", -1: ": a loss."}[sure])
+        probably = {True: r": probably a gain \(\d\d %\)\.$", False: r": probably a loss \(\d\d %\)\.$"}
+        chance = chance_above(0.0, Interval(change, low, high))
+        words = probably[chance > 0.5] if max(chance, 1 - chance) >= PROBABLY else r": the sign is not sure\.$"
+        assert re.search({0: words, 1: r": a gain\.$", -1: r": a loss\.$"}[sure], text)
         assert text.startswith(str(alone).removesuffix(".")) and not re.search("sure|gain|loss|if ", str(alone))
 
 
 @pytest.mark.parametrize(("ends", "said", "corked"), [
-    ((-1.7, -0.04), "the sign is not sure.", "Not surely either way"), ((-1.7, -0.06), "a loss.", "No: net of"),
-    ((0.04, 1.7), "the sign is not sure.", "Not surely either way"), ((0.06, 1.7), "a gain.", "Here it does"),
+    ((-1.7, -0.04), "probably a loss (96 %).", "Probably not (96 %)"), ((-1.7, -0.06), "a loss.", "No: net of"),
+    ((0.04, 1.7), "probably a gain (96 %).", "Probably (96 %)"), ((0.06, 1.7), "a gain.", "Here it does"),
+    ((-1.7, 0.5), "probably a loss (82 %).", "Probably not (82 %)"),
+    ((-1.7, 0.7), "the sign is not sure.", "Not surely either way"),
 ])  # fmt: skip
 def test_an_interval_that_is_told_to_end_at_nothing_leaves_the_sign_open(
     ends: tuple[float, float], said: str, corked: str

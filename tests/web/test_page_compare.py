@@ -21,7 +21,7 @@ VIEW = "compare"
 def test_the_first_picture_has_three_bats_and_a_verdict(opened: Page) -> None:
     expect(opened.locator("#verdict")).to_contain_text("R161, corked")
     expect(opened.locator("#verdict")).to_contain_text("corked: swung 2.0 mph faster, the ball leaves 0.7 mph")
-    expect(opened.locator("#verdict")).to_contain_text("(\N{MINUS SIGN}1.3 to +0.0): the sign is not sure")
+    expect(opened.locator("#verdict")).to_contain_text("(\N{MINUS SIGN}1.3 to +0.0): probably a loss")
     expect(opened.locator("#working")).to_be_hidden()
     rows = opened.get_by_role("region", name=re.compile("what they do in play")).locator("tbody tr")
     expect(rows).to_have_count(3)
@@ -50,7 +50,7 @@ def test_nothing_is_judged_before_the_whole_interval_is_there(
     while not held:
         page.wait_for_timeout(50)
     held[0].continue_()
-    expect(page.locator("#verdict")).to_contain_text("(\N{MINUS SIGN}1.3 to +0.0): the sign is not sure")
+    expect(page.locator("#verdict")).to_contain_text("(\N{MINUS SIGN}1.3 to +0.0): probably a loss")
     expect(page.locator("#working")).to_be_hidden()
     expect(table).to_contain_text("\N{MINUS SIGN}1.3 to +0.0")
     expect(change).to_have_attribute("aria-label", re.compile("interval"))

@@ -11,14 +11,13 @@ from sweetspot.analysis.certification.rules import Finding, League, Verdict, che
 from sweetspot.analysis.certification.simulated_club_test import TEST_SPEED, head_restitution
 from sweetspot.answers.answer import Answer
 from sweetspot.answers.certify import RuleCheck, rule_check
-from sweetspot.answers.certify_paddle import chance_within
 from sweetspot.answers.conditions import MassProperties, mass_properties
 from sweetspot.answers.records import INTERNAL, MomentOfInertia, Ratio, Speed, Time
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.golf_club import ClubHead, GolfClub
-from sweetspot.numerics.interval import Interval, Number
+from sweetspot.numerics.interval import Interval, Number, chance_above
 from sweetspot.units.dimensions import STIFFNESS
 
 STIFFNESS_HALF = 0.29
@@ -139,4 +138,4 @@ def _with_chance(check: RuleCheck, time: Interval) -> RuleCheck:
     most = check.outcome.rule.most
     if check.quantity != "characteristic_time" or most is None:
         return check
-    return replace(check, passes_probability=chance_within(most, time))
+    return replace(check, passes_probability=1 - chance_above(most, time))

@@ -28,7 +28,7 @@ from sweetspot.dynamics.paddle_modes import DEFLECTED, Clamp, face_stiffness
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.paddle import Paddle
-from sweetspot.numerics.interval import REACH, Interval
+from sweetspot.numerics.interval import Interval, chance_above
 from sweetspot.tables.cells import BadRow
 from sweetspot.units import INCH, MPH
 
@@ -311,19 +311,11 @@ def _with_chance(check: RuleCheck, computed: Interval, measured: Estimate | None
     if check.quantity != "pbcor" or rule.rule.most is None:
         return check
     if measured is None:
-        return replace(check, passes_probability=chance_within(rule.rule.most, computed))
+        return replace(check, passes_probability=1 - chance_above(rule.rule.most, computed))
     from scipy.special import stdtr
 
     apart = (rule.rule.most - measured.mean) / max(measured.standard_error, 1e-9)
     return replace(check, passes_probability=float(stdtr(measured.count - 1, apart)))
-
-
-def chance_within(most: float, computed: Interval) -> float:
-    """Return the probability that a computed value is at most a limit: half a normal law on each side of it."""
-    from scipy.special import ndtr
-
-    side = computed.high - computed.value if most > computed.value else computed.value - computed.low
-    return float(ndtr((most - computed.value) / max(side / REACH, 1e-12)))
 
 
 def _passed(checks: Sequence[RuleCheck]) -> bool:

@@ -100,6 +100,18 @@ NO_SPEED = 0.05 * MPH
 """m/s that is reported as 0.0 mph: no gain, no loss; an interval that begins there leaves the sign open."""
 
 
+def chance_above(limit: float, of: Interval) -> float:
+    """Return the probability that a number is above a limit: half a normal law on each side of its value.
+
+    >>> round(chance_above(0.0, Interval(1.0, 0.0, 3.0)), 2), chance_above(0.0, Interval(0.0, -1.0, 1.0))
+    (0.95, 0.5)
+    """
+    side = of.value - of.low if limit < of.value else of.high - of.value
+    if side <= 0:
+        return float(of.value > limit)
+    return math.erfc((limit - of.value) / (side / REACH) / math.sqrt(2)) / 2
+
+
 def sure_sign(low: float, high: float, *, nothing: float) -> int:
     """Return 1 for a difference that is surely a gain, -1 for one that is surely a loss, 0 where the sign is open.
 

@@ -11,13 +11,15 @@ from sweetspot.catalog.materials import material
 from sweetspot.catalog.sports import sport
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
-from sweetspot.numerics.interval import ENDS, NO_SPEED, interval_of, sure_sign
+from sweetspot.numerics.interval import ENDS, NO_SPEED, Interval, chance_above, interval_of, sure_sign
 from sweetspot.reports.sentences import Line, Sentence, joined, say, tell
 from sweetspot.reports.uncertainty import chance_words
 from sweetspot.units import MPH
 
 SURE = ENDS[1]
 """Chance from which on a difference is called sure: its 90 % interval leaves zero out."""
+PROBABLY = 0.8
+"""Chance from which on the sign of a difference that is not sure is called probable [our choice]."""
 PUBLISHED_EFFICIENCY = (0.214, 0.193)
 """q of a whole and of the corked bat in the laboratory [nathan2011corked]."""
 PUBLISHED_BREAK_EVEN = 2.9 * MPH
@@ -38,6 +40,8 @@ VERDICT = (
     Line(" ({low:speed_change, sign, bare} to {high:speed_change, sign, bare})", "within"),
     Line(": a gain{given}", "gain"),
     Line(": a loss{given}", "loss"),
+    Line(": probably a gain ({chance})", "probable_gain"),
+    Line(": probably a loss ({chance})", "probable_loss"),
     Line(": the sign is not sure", "unsure"),
     Line("."),
 )
@@ -57,8 +61,10 @@ PROBABLE = (
 CORKING = (
     Line("Does corking help? No: net of the faster swing the ball leaves {slower:speed_change} slower", "loss"),
     Line("Does corking help? Here it does: net of the faster swing the ball leaves {net:speed_change} faster", "gain"),
-    Line("Does corking help? Not surely either way: net of the faster swing the exit speed changes by ", "unsure"),
-    Line("{net:speed_change, sign}", "unsure"),
+    Line("Does corking help? Probably not ({chance}): net of the faster swing ", "probable_loss"),
+    Line("Does corking help? Probably ({chance}): net of the faster swing ", "probable_gain"),
+    Line("Does corking help? Not surely either way: net of the faster swing ", "unsure"),
+    Line("the exit speed changes by {net:speed_change, sign}", "open"),
     Line(" ({low:speed_change, sign, bare} to {high:speed_change, sign, bare}). ", "law"),
     Line("The corked bat is {lighter:mass} lighter"),
     Line("; swung no faster, it sends the ball off {change:speed_change, sign}.", unless="law"),
@@ -150,7 +156,6 @@ def changes(answer: CompareAnswer) -> list[Sentence]:
 def _facts(answer: CompareAnswer, bat: ComparedBat) -> dict[str, object]:
     """Return how much faster a bat is swung and the ball leaves, and how sure that is."""
     swung, change, ends = float(bat.swung_faster), float(bat.change), interval_of(bat.change)
-    sign = sure_sign(ends.low, ends.high, nothing=NO_SPEED)
     some = max(abs(change), abs(ends.low) / 3, abs(ends.high) / 3) >= NO_SPEED
     drawn = answer.uncertainty is not None
     more = (bat.swung_faster if swung > 0 else -bat.swung_faster) if drawn else abs(swung)
@@ -167,10 +172,30 @@ def _facts(answer: CompareAnswer, bat: ComparedBat) -> dict[str, object]:
         "low": ends.low,
         "high": ends.high,
         "within": some and ends.low < ends.high,
-        "gain": some and sign > 0,
-        "loss": some and sign < 0,
-        "unsure": some and sign == 0,
+        **_signs(ends, of_some=some),
+        "chance": _chance_of_sign(ends),
     }
+
+
+def _signs(change: Interval, *, of_some: bool) -> dict[str, bool]:
+    """Return whether a change of speed is a gain or a loss, probably one, or not sure; all False where it is none."""
+    sign, chance = sure_sign(change.low, change.high, nothing=NO_SPEED), chance_above(0.0, change)
+    probable = of_some and sign == 0 and abs(change.value) >= NO_SPEED
+    likely_gain, likely_loss = probable and chance >= PROBABLY, probable and chance <= 1 - PROBABLY
+    return {
+        "gain": of_some and sign > 0,
+        "loss": of_some and sign < 0,
+        "probable_gain": likely_gain,
+        "probable_loss": likely_loss,
+        "unsure": of_some and sign == 0 and not (likely_gain or likely_loss),
+        "open": of_some and sign == 0,
+    }
+
+
+def _chance_of_sign(change: Interval) -> Sentence:
+    """Return how probable the sign is that a change of speed has."""
+    chance = chance_above(0.0, change)
+    return chance_words(max(chance, 1 - chance))
 
 
 def gain_words(gain: BatGain, reference: str) -> Sentence:
@@ -204,7 +229,6 @@ def _is_corked(bat: Implement, piece: Implement) -> bool:
 def _whether_it_helps(first: ComparedBat, corked: ComparedBat, answer: CompareAnswer) -> Sentence:
     net, gained, law = interval_of(corked.change), interval_of(corked.swung_faster), answer.swing_law is not None
     more = float(corked.break_even_bat_speed) - float(first.bat_speed)
-    sign = sure_sign(net.low, net.high, nothing=NO_SPEED)
     return tell(
         CORKING,
         lighter=float(first.bat.mass) - float(corked.bat.mass),
@@ -221,9 +245,8 @@ def _whether_it_helps(first: ComparedBat, corked: ComparedBat, answer: CompareAn
         slower=-net.value,
         low=net.low,
         high=net.high,
-        loss=law and sign < 0,
-        gain=law and sign > 0,
-        unsure=law and sign == 0,
+        chance=_chance_of_sign(net),
+        **_signs(net, of_some=law),
     )
 
 
