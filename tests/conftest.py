@@ -13,6 +13,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command line does; before anything loads the library
+os.environ["SWEETSPOT_CONFIG"] = ""  # nobody's settings
 os.environ.pop("COLUMNS", None)  # xdist's workers say 80; nobody reads a table there
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # what one program has compiled the next that a test starts need not
 

@@ -201,11 +201,10 @@ def test_doubt_comes_from_bats_by_name_and_is_drawn(run: Run, tmp_path: Path) ->
     )
 
 
-def test_a_long_table_says_how_far_it_is(run: Run) -> None:
+def test_a_long_table_says_nothing_to_a_log(run: Run) -> None:
     asked = ["--rows", "mass=30oz:31oz:5", "--columns", "pitch-speed=80mph:95mph:10", "--format", "csv"]
     code, out, err = run("compare", "r161-ash", *asked)
-    assert code == 0 and len(out.splitlines()) == 51
-    assert "sweetspot: cells: 50 of 50" in err and "sweetspot: cells: 25 of 50" in err
+    assert (code, err) == (0, "") and len(out.splitlines()) == 51
 
 
 def test_a_folder_that_is_a_file_is_refused(run: Run, tmp_path: Path) -> None:

@@ -66,8 +66,8 @@ COMMANDS: dict[str, tuple[str, ...]] = {
     "tap": ("tap", "--synthesise", "youth-30", "--out", "OUT.wav"),
     "validate": ("validate", "--out", "OUT"),
 }
-OTHERS = {"schema", "prepare", "app", "season"}
-"""Commands that write nothing people ask for, and one that writes part by part."""
+OTHERS = {"new", "schema", "prepare", "app", "season"}
+"""Commands that write nothing people ask for, one that writes part by part, and one whose file has a few lines."""
 FULL = OSError(errno.ENOSPC, "No space left on device")
 MANY = OSError(errno.EMFILE, "Too many open files")
 BROKEN = OSError(errno.EIO, "Input/output error")

@@ -15,8 +15,8 @@ from tests.golden.commands import commands as golden_commands
 
 Run = Callable[..., tuple[int, str, str]]
 WORDS = [words for examples in EXAMPLES.values() for words in examples]
-PARSED_ONLY = ("app", "prepare", "design", "match", "validate", "optimum --show parks")
-"""Beginnings of examples that do not end, take long, or need a racket of the reader; tests run their like."""
+PARSED_ONLY = ("app", "prepare", "new", "design", "match", "validate", "optimum --show parks")
+"""Beginnings of examples that do not end, ask, take long, or need a racket of the reader; tests run their like."""
 RUN_ELSEWHERE = frozenset(golden_commands())
 """Examples whose numbers the golden test keeps."""
 

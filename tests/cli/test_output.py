@@ -140,7 +140,7 @@ def test_a_reader_that_has_enough_and_closed_ends(tmp_path: Path) -> None:
         (f"{command} > /dev/full", 2, "sweetspot: standard output cannot be written: no space left on device"),
     ):
         result = subprocess.run(["bash", "-c", shell], capture_output=True, text=True, check=False, timeout=600)
-        heard = [line for line in result.stderr.splitlines() if "still working" not in line]
+        heard = result.stderr.splitlines()
         assert (result.returncode, "\n".join(heard).strip()) == (code, said), shell
 
 
@@ -168,28 +168,43 @@ def test_a_folder_that_cannot_be_is_refused_before_anything_is_computed(
     assert "is not a folder; choose another place" in capsys.readouterr().err
 
 
-def test_long_work_says_that_it_goes_on(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_long_work_shows_on_a_terminal_how_long_it_takes_and_leaves_nothing(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     heard = ""
 
     def slow(*words: object, **options: object) -> str:
         nonlocal heard
-        while heard.count("still working") < 2:
+        while heard.count("working, ") < 2:
             time.sleep(0.01)
             heard += capsys.readouterr().err
         return "done"
 
+    monkeypatch.setattr("sweetspot.cli.output._shows_progress", lambda: True)
+    monkeypatch.setattr("sweetspot.cli.output.PATIENCE", 0.02)
     monkeypatch.setattr("sweetspot.cli.output.BEAT", 0.02)
     monkeypatch.setattr("sweetspot.catalog.entries.entry_toml", slow)
     with pytest.raises(SystemExit) as stopped:
         main(["show", "r161-ash"])
+    last = capsys.readouterr()
     assert stopped.value.code == 0
-    assert capsys.readouterr().out.endswith("done")
-    assert not any(thread.name == "heartbeat" and thread.is_alive() for thread in ended())
+    assert last.out.endswith("done") and (heard + last.err).endswith("\r\033[K")
+    assert not any(thread.name == "patience" and thread.is_alive() for thread in ended())
+
+
+@pytest.mark.parametrize("quiet", [[], ["--quiet"], ["-q"]])
+def test_nothing_goes_into_a_log_but_what_was_written_and_quiet_keeps_that_too(
+    quiet: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sweetspot.cli.output.PATIENCE", 0.0)
+    with pytest.raises(SystemExit):
+        main(["show", "r161-ash", "--out", str(tmp_path / "mine.toml"), *quiet])
+    assert capsys.readouterr().err == ("" if quiet else f"sweetspot: wrote {tmp_path / 'mine.toml'}\n")
 
 
 def ended() -> list[threading.Thread]:
     """Threads that are left after those that end have had their time."""
     for thread in threading.enumerate():
-        if thread.name == "heartbeat":
+        if thread.name == "patience":
             thread.join(20)
     return threading.enumerate()

@@ -16,8 +16,10 @@ from sweetspot.reports.plain_signs import spelled_for
 
 EXIT_BAD_INPUT = 2
 EXIT_INTERRUPTED = 130
-SERVER = "app"
-"""The command that is done when somebody ends it."""
+INTERACTIVE = ("app", "new")
+"""Commands that wait for somebody."""
+NOT_A_WORD = ("--quiet", "-q")
+"""Of every command: nothing on standard error but faults and warnings."""
 UNTIDIED = 100_000
 """New objects between two looks for garbage: a command makes a million that stay, and looking takes a tenth of it."""
 NARROWEST_HELP = 20
@@ -39,15 +41,18 @@ def main(arguments: list[str] | None = None) -> None:
     from cyclopts import CycloptsError
 
     from sweetspot.cli.app import app, load_all
-    from sweetspot.cli.complaints import ALWAYS_SURE, SURE, uncounted, understood
-    from sweetspot.cli.output import ASKED, OutputError, heartbeat, held_output
+    from sweetspot.cli.complaints import ALWAYS_SURE, SURE, uncounted, understood, with_own_bat
+    from sweetspot.cli.output import ASKED, QUIET, OutputError, held_output, patience
+    from sweetspot.cli.settings import SETTINGS, read_settings
 
     given = sys.argv[1:] if arguments is None else arguments
     try:
-        beating = nullcontext() if given[:1] == [SERVER] else heartbeat()
-        with held_output(), insisting(FORCE in given), _warnings_told(FORCE in given), beating:
-            unasked = (FORCE, SURE) if given[:1] and given[0] in ALWAYS_SURE else (FORCE,)
-            words = understood([each for each in given if each not in unasked])
+        QUIET.set(any(each in given for each in NOT_A_WORD))
+        SETTINGS.set(read_settings())
+        waiting = nullcontext() if given[:1] and given[0] in INTERACTIVE else patience()
+        with held_output(), insisting(FORCE in given), _warnings_told(FORCE in given), waiting:
+            unasked = (FORCE, *NOT_A_WORD, *((SURE,) if given[:1] and given[0] in ALWAYS_SURE else ()))
+            words = with_own_bat(understood([each for each in given if each not in unasked]), SETTINGS.get().bat)
             ASKED.set(tuple(given))
             if dropped := uncounted(given):
                 _complain(dropped)

@@ -29,6 +29,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
         "outline stations.csv --length 34in --out drawing.toml",
         "outline r161-ash --out bat.dxf --out bat.stl",
     ),
+    "new": ("new my-bat.toml", "new my-bat.toml --built maple --length 33in --mass 31oz"),
     "tap": (
         "tap --synthesise r161-ash --at 1in-from-tip --out taps.wav",
         "tap taps.wav --bat r161-ash --at 1in-from-tip",
@@ -60,7 +61,7 @@ CATALOGUE: Mapping[str, tuple[str, ...]] = {
 EXAMPLES: Mapping[str, tuple[str, ...]] = {**COMMANDS, **CATALOGUE, **PAGE}
 GROUPS: Mapping[str, tuple[str, ...]] = {
     "Start here": ("report", "hit", "compare", "app", "bats", "materials", "sports"),
-    "My bat": ("outline", "tap", "pendulum", "calibrate", "calibrate-ball", "rank", "match", "design"),
+    "My bat": ("new", "outline", "tap", "pendulum", "calibrate", "calibrate-ball", "rank", "match", "design"),
     "Players and seasons": ("fit-player", "plan-swings", "play", "fly", "optimum", "season", "parks"),
     "Rules": ("certify",),
     "Physics, and where it comes from": ("paper", "drop", "validate", "show", "schema", "prepare"),
@@ -68,7 +69,8 @@ GROUPS: Mapping[str, tuple[str, ...]] = {
 """Commands as the overall help has them, by what somebody comes for."""
 EVERY_COMMAND = (
     "Lengths, weights, speeds and angles have units: 33in, 84cm, 31oz, 90mph, 10deg. Every command takes --force: "
-    "numbers as they are given, however unusual. A name with blanks stands in quotes."
+    "numbers as they are given, however unusual; and --quiet: no notes on what was written. A name with blanks stands "
+    "in quotes."
 )
 
 

@@ -56,7 +56,7 @@ def calibrate_ball(
     from sweetspot.answers.calibrate_ball import CalibrateBallQuestion, calibrate_ball_answer
     from sweetspot.catalog.balls import ball as catalog_ball
     from sweetspot.catalog.records import is_file
-    from sweetspot.cli.output import present
+    from sweetspot.cli.output import note, present
 
     like = catalog_ball(ball)
     found = calibrate_ball_answer(
@@ -78,7 +78,7 @@ def calibrate_ball(
         if os.path.lexists(out):
             raise InputError(f"{out} is there already; choose another name for --out")
         write_all({out: found.to_toml().encode()})
-        print(f"sweetspot: wrote {out}", file=sys.stderr)
+        note(f"wrote {out}")
     return present(found, answer.into(None)) or int(found.contradictory)
 
 

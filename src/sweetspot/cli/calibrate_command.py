@@ -106,7 +106,7 @@ def calibrate(
     """Fit a bat to what was measured on it, and say how sure each value is. Exit 1 when measurements contradict."""
     from sweetspot import catalog
     from sweetspot.answers.calibrate import CalibrateQuestion, calibrate_answer
-    from sweetspot.cli.output import present
+    from sweetspot.cli.output import note, present
     from sweetspot.plausibility import parse
     from sweetspot.reports.calibration.document import calibration_document
 
@@ -132,7 +132,7 @@ def calibrate(
         from sweetspot.reports.files import write_all
 
         write_all({out: found.to_toml().encode()})
-        print(f"sweetspot: wrote {out}", file=sys.stderr)
+        note(f"wrote {out}")
     return present(calibration_document(found), answer.into(None))
 
 

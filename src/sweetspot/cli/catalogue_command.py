@@ -42,10 +42,9 @@ def sports(
 ) -> int:
     """List the sports with their balls, implements, speeds and rules, and how sure each number is."""
     from sweetspot.answers.catalogued import sport_answer, sports_answer
-    from sweetspot.cli.output import patience, present
+    from sweetspot.cli.output import present
 
-    with patience():
-        answer = sports_answer() if name is None else sport_answer(name)
+    answer = sports_answer() if name is None else sport_answer(name)
     return present(answer, output)
 
 
@@ -100,7 +99,7 @@ def validate(
 ) -> int:
     """Compare with every published case: printed against computed, tolerance, worth. Exit 1 on an unexplained miss."""
     from sweetspot import validation
-    from sweetspot.cli.output import patience, present, progress
+    from sweetspot.cli.output import present, progress
     from sweetspot.reports.bench import validation_document
     from sweetspot.validation import sealed_files
 
@@ -110,7 +109,7 @@ def validate(
         from sweetspot.answers.sealed import sealed_answer
 
         questions = sealed_files.read_questions(sealed)
-        with progress("questions") as step, patience():
+        with progress("questions") as step:
             predicted = sealed_answer(questions, sealed, step=step)
         return present(predicted, output)
     if score is not None:
@@ -119,8 +118,7 @@ def validate(
         answers, measured = score
         predictions = sealed_files.read_predictions(answers)
         return present(score_answer(predictions, sealed_files.read_measured(measured), measured), output)
-    with patience():
-        results = validation.results()
+    results = validation.results()
     return present(validation_document(results), output)
 
 
@@ -142,12 +140,13 @@ def show(
 
     text = entry_toml(name, of, sources=sources)
     if out is not None:
+        from sweetspot.cli.output import note
         from sweetspot.reports.files import write_all
 
         if os.path.lexists(out):
             raise InputError(f"{out} is there already; choose another name for --out")
         write_all({out: text.encode()})
-        print(f"sweetspot: wrote {out}", file=sys.stderr)
+        note(f"wrote {out}")
         return 0
     sys.stdout.write(text)
     return 0

@@ -73,7 +73,7 @@ def certify(
     from sweetspot.answers.ask_bat import certify as asked
     from sweetspot.answers.ask_bat import certify_club
     from sweetspot.catalog.implements import loaded_bat, loaded_implement
-    from sweetspot.cli.output import patience, present
+    from sweetspot.cli.output import present
     from sweetspot.equipment.golf_club import GolfClub
     from sweetspot.equipment.paddle import Paddle
     from sweetspot.plausibility import parse
@@ -97,20 +97,18 @@ def certify(
                 "--shots, --wall-that-passes and --uncertainty are for bats; a club is tested by the characteristic "
                 "time of its face, which its file can have as it was read: [head] characteristic_time"
             )
-        with patience():
-            club = certify_club(loaded, league=league, ball=ball)
+        club = certify_club(loaded, league=league, ball=ball)
         return present(club, output)
     loaded = loaded_bat(bat)
-    with patience():
-        answer = asked(
-            loaded,
-            league=league,
-            ball=ball,
-            shots=None if shots is None else read_shots(shots, length=loaded.implement.length, given=columns),
-            standard_ball_cor=None if cor is None else parse(cor, "ratio", "--standard-ball-cor"),
-            wall_that_passes=wall_that_passes,
-            uncertainty=uncertainty,
-        )
+    answer = asked(
+        loaded,
+        league=league,
+        ball=ball,
+        shots=None if shots is None else read_shots(shots, length=loaded.implement.length, given=columns),
+        standard_ball_cor=None if cor is None else parse(cor, "ratio", "--standard-ball-cor"),
+        wall_that_passes=wall_that_passes,
+        uncertainty=uncertainty,
+    )
     return present(answer, output)
 
 
@@ -125,7 +123,7 @@ def _paddle(
 ) -> int:
     """Test a paddle."""
     from sweetspot.answers.ask_bat import certify_paddle
-    from sweetspot.cli.output import patience, present
+    from sweetspot.cli.output import present
     from sweetspot.plausibility import check, parse
 
     speed = None if asked.speed is None else parse(asked.speed, "speed", "--speed")
@@ -134,6 +132,5 @@ def _paddle(
     moi = None if asked.clamp_inertia is None else parse(asked.clamp_inertia, "moi", "--clamp-inertia")
     if moi is not None:
         check(moi, "--clamp-inertia", str(asked.clamp_inertia), quantity="clamp_inertia")
-    with patience():
-        answer = certify_paddle(loaded, league=league, ball=ball, speed=speed, clamp_inertia=moi, shots=shots)
+    answer = certify_paddle(loaded, league=league, ball=ball, speed=speed, clamp_inertia=moi, shots=shots)
     return present(answer, output)

@@ -67,7 +67,7 @@ def compare(
     from sweetspot.answers.changes import weight_texts
     from sweetspot.answers.what_if import what_if_answer
     from sweetspot.catalog.implements import loaded_implement
-    from sweetspot.cli.output import patience, present, progress
+    from sweetspot.cli.output import present, progress
     from sweetspot.reports.comparison.document import compare_document
 
     if not bats:
@@ -84,14 +84,13 @@ def compare(
         question = what_if_question(
             loaded[0], table.sides(), swing_law=law, setup=swing.setup(first, errors=False), show=table.answer
         )
-        with patience(), progress("cells") as report:
+        with progress("cells") as report:
             return present(what_if_answer(question, progress=report), output)
     refuse_unused(given(table, "cell"), "a what-if table", "add --rows, for example --rows mass=29oz:33oz:5")
     if texts and len(bats) != 1:
         raise InputError(f"--what-if or --add was given with {len(bats)} bats; it takes one")
     setup = swing.setup(first)
-    with patience():
-        answer = asked(*loaded, what_if=texts, swing_law=law, setup=setup, uncertainty=uncertainty)
+    answer = asked(*loaded, what_if=texts, swing_law=law, setup=setup, uncertainty=uncertainty)
     return present(compare_document(answer), output)
 
 

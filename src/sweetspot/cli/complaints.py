@@ -146,6 +146,20 @@ def understood(given: Sequence[str]) -> list[str]:
     return words
 
 
+OF_ONE_BAT = ("report", "hit", "play", "optimum", "paper", "certify")
+"""Commands that begin with one bat."""
+
+
+def with_own_bat(words: list[str], bat: str | None) -> list[str]:
+    """Return the words of a command line with the bat of the settings where it names none.
+
+    >>> with_own_bat(["hit", "--at", "27in"], "mine.toml"), with_own_bat(["report", "youth-30"], "mine.toml")
+    (['hit', 'mine.toml', '--at', '27in'], ['report', 'youth-30'])
+    """
+    unnamed = words[:1] and words[0] in OF_ONE_BAT and (len(words) == 1 or words[1].startswith("--"))
+    return [words[0], bat, *words[1:]] if unnamed and bat and "--help" not in words else words
+
+
 def uncounted(given: Sequence[str]) -> str:
     """Return a word about an error that a command was given and does not count; nothing where it counts them all.
 

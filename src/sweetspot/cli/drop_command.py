@@ -50,13 +50,12 @@ def drop(
     """Drop or fire a ball on a block: rebound height, restitution, contact time and where the energy goes."""
     from sweetspot.answers.ask_measured import drop as asked
     from sweetspot.answers.setups import BlockSetup, FallSetup
-    from sweetspot.cli.output import patience, present
+    from sweetspot.cli.output import present
 
     if fall.height is not None and fall.speed is not None:
         raise InputError("give either --height or --speed, and only one of them")
     if fall.speed is not None and fall.in_air:
         raise InputError("--in-air slows a ball that falls; with --speed it arrives at that speed")
     falling = read(FallSetup, fall, errors=uncertainty, quantities={"height": "fall_height"})
-    with patience():
-        answer = asked(block=read(BlockSetup, block), fall=falling, uncertainty=uncertainty)
+    answer = asked(block=read(BlockSetup, block), fall=falling, uncertainty=uncertainty)
     return present(answer, output)

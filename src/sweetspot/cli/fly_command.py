@@ -72,7 +72,7 @@ def fly(
     from sweetspot.answers.setups import Owner
     from sweetspot.catalog import ball_sport
     from sweetspot.cli.options.weather import setup_of
-    from sweetspot.cli.output import patience, present
+    from sweetspot.cli.output import present
     from sweetspot.plausibility import check
 
     if launch.spray is not None and launch.bearing is not None:
@@ -97,8 +97,7 @@ def fly(
     weather = setup_of(_without(ranges, air))
     if not ranges:
         return present(asked(launch=asked_of, weather=weather, uncertainty=uncertainty), output)
-    with patience():
-        table = fly_table(dict(ranges), launch=asked_of, weather=weather, show=cell.replace("-", "_"))  # type: ignore[arg-type]
+    table = fly_table(dict(ranges), launch=asked_of, weather=weather, show=cell.replace("-", "_"))  # type: ignore[arg-type]
     return present(table, output)
 
 

@@ -7,7 +7,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.reading import Uncertainty
+from sweetspot.cli.options.reading import Uncertainty, place_of
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 
 
@@ -15,7 +15,7 @@ def hit(
     bat: Annotated[str, Parameter(help="Name in the catalogue (see `sweetspot bats`) or a TOML file.")],
     /,
     *,
-    at: Annotated[str, Parameter(help="Where the ball meets the bat: 27in, 6in-from-tip or 0.152m-from-tip.")],
+    at: Annotated[str, Parameter(help="Where the ball meets the bat: 27in, 6in-from-tip, or sweet-spot, barrel, tip.")],
     beside: Annotated[str | None, Parameter(help="How far beside a face's middle line: 3cm; not for bats.")] = None,
     uncertainty: Uncertainty = False,
     swing: SwingOptions = DEFAULT_SWING,
@@ -25,14 +25,15 @@ def hit(
     from sweetspot.answers.ask_bat import hit as asked
     from sweetspot.catalog.implements import loaded_implement
     from sweetspot.cli.output import present
-    from sweetspot.plausibility import parse, parse_position
+    from sweetspot.plausibility import parse
 
     loaded = loaded_implement(bat)
+    setup = swing.setup(loaded.implement, errors=uncertainty)
     answer = asked(
         loaded,
-        at=parse_position(at, length=loaded.implement.length, what="--at"),
+        at=place_of(at, setup, loaded.implement, what="--at"),
         beside=0.0 if beside is None else parse(beside, "length", "--beside"),
-        setup=swing.setup(loaded.implement, errors=uncertainty),
+        setup=setup,
         uncertainty=uncertainty,
     )
     return present(answer, output)

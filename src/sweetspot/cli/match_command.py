@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import replace
 from typing import Annotated
 
@@ -30,7 +29,7 @@ def match(
     """
     from sweetspot.answers.ask_bat import match as asked
     from sweetspot.catalog.implements import loaded_implement
-    from sweetspot.cli.output import present
+    from sweetspot.cli.output import note, present
     from sweetspot.plausibility import parse_position
 
     given = loaded_implement(racket)
@@ -47,5 +46,5 @@ def match(
     from sweetspot.reports.files import write_all
 
     write_all({out: found.to_toml().encode()})
-    print(f"sweetspot: wrote {out}", file=sys.stderr)
+    note(f"wrote {out}")
     return present(found, replace(output, out=None))

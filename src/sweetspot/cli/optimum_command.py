@@ -75,7 +75,7 @@ def optimum(
     from sweetspot.answers.setups import Owner
     from sweetspot.catalog.implements import loaded_bat
     from sweetspot.cli.options.weather import setup_of
-    from sweetspot.cli.output import patience, present
+    from sweetspot.cli.output import present
 
     _check_shown(show, pitch, contact, sent)
     searched: tuple[Searched, ...] = ("swing", "launch", "parks") if show == "all" else (show,)
@@ -85,16 +85,15 @@ def optimum(
         searched = searched[:1]
     loaded = loaded_bat(bat)
     implement, ball = loaded.implement, contact.ball or catalog.sport(loaded.implement.sport).balls[0]
-    with patience():
-        answer = asked(
-            loaded,
-            search=read(SearchSetup, contact, pitch, of=Owner(implement.length, implement.sport)),
-            sent=read(SentSetup, sent, of=Owner(sport=catalog.ball_sport(ball))),
-            setup=contact.setup(implement, errors=contact.uncertainty),
-            weather=setup_of(air),
-            show=searched,
-            uncertainty=contact.uncertainty,
-        )
+    answer = asked(
+        loaded,
+        search=read(SearchSetup, contact, pitch, of=Owner(implement.length, implement.sport)),
+        sent=read(SentSetup, sent, of=Owner(sport=catalog.ball_sport(ball))),
+        setup=contact.setup(implement, errors=contact.uncertainty),
+        weather=setup_of(air),
+        show=searched,
+        uncertainty=contact.uncertainty,
+    )
     return present(answer, output)
 
 

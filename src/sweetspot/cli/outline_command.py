@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
@@ -98,7 +97,7 @@ def outline(
 ) -> int:
     """Turn a table of diameters, a drawing or a photograph into a bat file, and bats and others into drawings."""
     from sweetspot.answers.outline import outline_answer
-    from sweetspot.cli.output import present
+    from sweetspot.cli.output import note, present
     from sweetspot.reports.calibration.outline_report import outline_document
 
     found = outline_answer(_question(source, sizes, columns, material=material, name=name, league=drawn.league))
@@ -109,7 +108,7 @@ def outline(
 
         for folder in dict.fromkeys(path.parent for path in contents):  # those of one folder together
             write_all({path: content for path, content in contents.items() if path.parent == folder})
-        print(f"sweetspot: wrote {', '.join(map(str, contents))}", file=sys.stderr)
+        note(f"wrote {', '.join(map(str, contents))}")
     return present(document, answer.into(None))
 
 

@@ -18,6 +18,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
+from sweetspot.cli.settings import SETTINGS
 from sweetspot.numerics.text_files import harmless
 from sweetspot.reports.plain_signs import spelled_for
 
@@ -29,13 +30,24 @@ if TYPE_CHECKING:
 
 
 PATIENCE = 3.0
-"""s before a run says why it takes a while."""
-BEAT = 8.0
-"""s after which a run that shows no bar says that it goes on, and again and again."""
+"""s before a run says that it takes a while."""
+BEAT = 1.0
+"""s between two looks at how long it has taken."""
 WIDE, NARROWEST, LONGEST_LINE = 110, 40, 1000
 """Characters of a line where no terminal says how many there are, at least, and at most."""
-LONG = 50
-"""Steps of work from which on a log hears of it."""
+QUIET: ContextVar[bool] = ContextVar("QUIET", default=False)
+"""Whether standard error is for faults and warnings alone."""
+
+
+def note(text: str) -> None:
+    """Say something on standard error that is neither a fault nor a warning; nothing where quiet was asked for."""
+    if not QUIET.get():
+        print(f"sweetspot: {text}", file=sys.stderr)
+
+
+def _shows_progress() -> bool:
+    """Return whether somebody watches: a terminal, and quiet was not asked for."""
+    return not QUIET.get() and sys.stderr is not None and sys.stderr.isatty()
 
 
 def print_json(value: Any) -> None:
@@ -90,20 +102,24 @@ def present(answer: Answer | Document, options: OutputOptions, *, long: bool = F
     written: list[Path] = []
     document = document_of(answer)
     document = replace(document, title=options.title or document.title, made_for=options.made_for, made=_made())
+    reader = document.reader_of(options.units or SETTINGS.get().units)
     if options.out is not None:
         from sweetspot.reports.files import write_document
 
         written = write_document(
-            document, options.out, reader=document.reader_of(options.units), long=long or options.details
+            document,
+            options.out,
+            reader=document.reader_of(options.units or SETTINGS.get().units),
+            long=long or options.details,
         )
     if options.format == "json":
         print_json(document.data)
     elif options.format == "csv":
         print_csv(document.rows)
     else:
-        _print(document.unfolded if options.details else document, document.reader_of(options.units))
+        _print(document.unfolded if options.details else document, reader)
     if written:
-        print(f"sweetspot: wrote {', '.join(map(str, written))}", file=sys.stderr)
+        note(f"wrote {', '.join(map(str, written))}")
     return 0 if document.passed else 1
 
 
@@ -126,31 +142,25 @@ def today() -> str:
 
 @contextmanager
 def progress(what: str) -> Iterator[Callable[..., None]]:
-    """Yield what shows on stderr how far the work is: a bar on a terminal, elsewhere a line at every quarter.
+    """Yield what shows on a terminal how far the work is; off one, and where quiet was asked for, it shows nothing.
 
-    Work of fewer than `LONG` steps says nothing off a terminal. It is called with (done, total), and perhaps with words
-    about what was found so far.
+    It is called with (done, total), and perhaps with words about what was found so far.
     """
-    from rich.console import Console
-
-    console = Console(stderr=True)
-    if not console.is_terminal:
-        quarter = 0
-
-        def say(completed: int, total: int, words: str = "") -> None:
-            nonlocal quarter
-            before, quarter = quarter, 4 * completed // total
-            if total >= LONG and quarter > before:
-                print(f"sweetspot: {what}: {completed} of {total}{f' ({words})' if words else ''}", file=sys.stderr)
-
-        yield say
+    if not _shows_progress():
+        yield lambda *_: None
         return
+    from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
     _bars.append(what)
     percent = TextColumn("{task.percentage:>3.0f} %")
     with Progress(
-        TextColumn("{task.description}"), BarColumn(), percent, TimeRemainingColumn(), console=console, transient=True
+        TextColumn("{task.description}"),
+        BarColumn(),
+        percent,
+        TimeRemainingColumn(),
+        console=Console(stderr=True),
+        transient=True,
     ) as bar:
         task = bar.add_task(what)
 
@@ -168,46 +178,37 @@ _bars: list[str] = []
 
 
 @contextmanager
-def heartbeat() -> Iterator[None]:
-    """Say on stderr every `BEAT` seconds that the work inside goes on, unless a bar shows it."""
-    start = time.monotonic()
-
-    def beat() -> None:
-        if not _bars:
-            print(f"sweetspot: still working ({time.monotonic() - start:.0f} s)", file=sys.stderr, flush=True)
-
-    with _meanwhile(beat, wait=BEAT, again=True):
-        yield
-
-
-@contextmanager
 def patience() -> Iterator[None]:
-    """Say on stderr that work goes on, when the work inside takes longer than `PATIENCE`."""
+    """Show on a terminal, from `PATIENCE` on, how long the work inside has taken, unless a bar does; clear it at last.
 
-    def say() -> None:
-        print("sweetspot: working; a first run also compiles kernels, which are kept", file=sys.stderr)
-
-    with _meanwhile(say, wait=PATIENCE):
+    Nothing goes into a log.
+    """
+    if not _shows_progress():
         yield
-
-
-@contextmanager
-def _meanwhile(say: Callable[[], None], *, wait: float, again: bool = False) -> Iterator[None]:
-    """Call a function ``wait`` seconds after the work inside began if it still goes on, and perhaps again and again."""
-    over = threading.Event()
+        return
+    start, over, begun = time.monotonic(), threading.Event(), threading.Event()
 
     def watch() -> None:
-        while not over.wait(wait):
-            say()
-            if not again:
-                return
+        while not over.wait(PATIENCE if not begun.is_set() else BEAT):
+            if not _bars:
+                begun.set()
+                _overwrite(f"sweetspot: working, {time.monotonic() - start:.0f} s; a first run also compiles kernels")
 
     with suppress(RuntimeError):  # without another thread there are no messages
-        threading.Thread(target=watch, daemon=True, name="heartbeat").start()
+        threading.Thread(target=watch, daemon=True, name="patience").start()
     try:
         yield
     finally:
         over.set()
+        if begun.is_set():
+            _overwrite("")
+
+
+def _overwrite(text: str) -> None:
+    """Write over the last line of the terminal."""
+    with suppress(OSError, ValueError):
+        sys.stderr.write(f"\r\033[K{text}")
+        sys.stderr.flush()
 
 
 class OutputError(Exception):

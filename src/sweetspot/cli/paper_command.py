@@ -52,11 +52,10 @@ def paper(
     from sweetspot import catalog
     from sweetspot.answers.ask_bat import paper as asked
     from sweetspot.catalog.implements import loaded_bat
-    from sweetspot.cli.output import patience, present
+    from sweetspot.cli.output import present
     from sweetspot.papers.choices import Choices
 
     loaded = loaded_bat(bat)
     choices = replace(read(Choices, options), fill=catalog.material(options.fill))
-    with patience():
-        answer = asked(loaded, choices=choices, setup=swing.setup(loaded.implement, errors=False))
+    answer = asked(loaded, choices=choices, setup=swing.setup(loaded.implement, errors=False))
     return present(answer, output)

@@ -83,21 +83,20 @@ def play(
     from sweetspot.answers.setups import ContactSetup, Owner, PathSetup
     from sweetspot.catalog.implements import loaded_bat
     from sweetspot.cli.options.weather import setup_of
-    from sweetspot.cli.output import patience, present
+    from sweetspot.cli.output import present
 
     _check_arrival(arrival, swing)
     loaded, sure = loaded_bat(bat), meeting.uncertainty
     implement = loaded.implement
-    with patience():
-        answer = asked(
-            loaded,
-            contact=read(ContactSetup, meeting, of=Owner(implement.length, implement.sport)),
-            setup=swing.setup(implement, errors=sure),
-            path=read(PathSetup, path),
-            arrival=_arriving(arrival),
-            weather=setup_of(air),
-            uncertainty=sure,
-        )
+    answer = asked(
+        loaded,
+        contact=read(ContactSetup, meeting, of=Owner(implement.length, implement.sport)),
+        setup=swing.setup(implement, errors=sure),
+        path=read(PathSetup, path),
+        arrival=_arriving(arrival),
+        weather=setup_of(air),
+        uncertainty=sure,
+    )
     return present(answer, output)
 
 

@@ -45,7 +45,7 @@ def rank(
     from sweetspot.answers.rank import RankQuestion, rank_answer
     from sweetspot.catalog.swing_laws import swing_law
     from sweetspot.cli.options.swing import conditions_for
-    from sweetspot.cli.output import patience, present, progress
+    from sweetspot.cli.output import present, progress
     from sweetspot.plausibility import parse, parse_position
     from sweetspot.reports.calibration.ranking_report import ranking_document
 
@@ -59,7 +59,7 @@ def rank(
         diameter_error=parse(diameter_error, "ratio", "--diameter-error"),
         axis=axis,
     )
-    with progress("bats") as step, patience():
+    with progress("bats") as step:
         answer = rank_answer(question, step=step)
     return present(ranking_document(answer), output)
 

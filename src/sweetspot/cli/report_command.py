@@ -22,7 +22,7 @@ def report(
     """Say where a bat hits best, why there and not at the end, and what each inch of miss costs."""
     from sweetspot.answers.ask_bat import report_or_tones
     from sweetspot.catalog.implements import loaded_implement
-    from sweetspot.cli.output import patience, present
+    from sweetspot.cli.output import present
 
     if output.out is not None:
         from sweetspot.reports.files import check_folder, files_of
@@ -30,6 +30,5 @@ def report(
         check_folder(output.out, files_of("report"))
     loaded = loaded_implement(bat)
     setup = swing.setup(loaded.implement)
-    with patience():
-        answer = report_or_tones(loaded, setup=setup, uncertainty=uncertainty)
+    answer = report_or_tones(loaded, setup=setup, uncertainty=uncertainty)
     return present(answer, output)

@@ -178,25 +178,24 @@ def season(
     from sweetspot.answers.season import season_answer
     from sweetspot.answers.season_question import SeasonQuestion, checked_season
     from sweetspot.cli.options.weather import weather_of
-    from sweetspot.cli.output import patience, progress
+    from sweetspot.cli.output import progress
     from sweetspot.seasons.cluster import run_on_cluster
 
-    with patience():
-        question = checked_season(
-            SeasonQuestion(
-                paths=files,
-                bats=bats.named(),
-                others=bats.try_bat or (),
-                contact=not bats.flight_only,
-                air=weather_of(balls.air),
-                flights=balls.choice(),
-                given=given,
-                system=output.units or "us",
-                player=player,
-                folder=output.out,
-                resume=work.resume,
-            )
+    question = checked_season(
+        SeasonQuestion(
+            paths=files,
+            bats=bats.named(),
+            others=bats.try_bat or (),
+            contact=not bats.flight_only,
+            air=weather_of(balls.air),
+            flights=balls.choice(),
+            given=given,
+            system=output.units or "us",
+            player=player,
+            folder=output.out,
+            resume=work.resume,
         )
+    )
     run = partial(run_on_cluster, workers=work.workers, scheduler=work.scheduler)
     try:
         with progress("season") as report:
@@ -210,7 +209,7 @@ def season(
 
 
 def _presented(answer: SeasonAnswer, output: OutputOptions, *, balls_csv: bool) -> int:
-    from sweetspot.cli.output import present
+    from sweetspot.cli.output import note, present
     from sweetspot.reports.season.document import (
         player_page,
         season_document,
@@ -224,7 +223,7 @@ def _presented(answer: SeasonAnswer, output: OutputOptions, *, balls_csv: bool) 
         if balls_csv:
             written.append(write_balls(answer, output.out))
         tables = f"; {', '.join(written)}" if written else ""
-        print(f"sweetspot: wrote {output.out}: folders balls, ledger, counted{tables}", file=sys.stderr)
+        note(f"wrote {output.out}: folders balls, ledger, counted{tables}")
     player = answer.question.player
     code = present(season_document(answer) if player is None else player_page(answer.player(player)), output, long=True)
     for fault in unread_of(answer):

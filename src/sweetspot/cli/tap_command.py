@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -187,5 +186,7 @@ def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path
     sound = synthesised(frame_modes(described), position=places[0], listened=listened, noise=noise, seed=seed)
     path = out or Path(f"{Path(name).stem}-tap.wav")
     write_all({path: recording_bytes(sound, path)})
-    print(f"sweetspot: wrote {path}", file=sys.stderr)
+    from sweetspot.cli.output import note
+
+    note(f"wrote {path}")
     return 0

@@ -260,8 +260,19 @@ def _check_density(beam: BeamModel, limits: DensityRange) -> None:
     raise InputError(
         f"{bat.name} weighs {format_mass(bat.mass or 0.0)}, which this outline has {_only_at(beam, limits)}, so that "
         f"the nearest it can weigh is {format_mass(others + mass * low)} to {format_mass(others + mass * high)}. Check "
-        "the weight, the diameters and the material"
+        "the weight, the diameters and the material" + _hollow_advice(bat, usual)
     )
+
+
+METALS_FROM = 2000.0
+"""kg/m^3 above which no bat is solid: hickory has 806, aluminium 2820 [our choice]."""
+
+
+def _hollow_advice(bat: Implement, density: float) -> str:
+    """Return advice on a solid bat of metal; nothing for one of wood."""
+    if density < METALS_FROM or getattr(bat, "shell", None) is not None:
+        return ""
+    return '. A metal bat is hollow: give its wall, [shell] wall = "2.5 mm", or begin with like = "college-alloy"'
 
 
 def _within(beam: BeamModel, limits: DensityRange) -> bool:

@@ -161,6 +161,8 @@ def explain(error: ValidationError, name: str, *, names: Sequence[str] = ()) -> 
     lines = list(dict.fromkeys(_fault(fault, names) for fault in faults[:MOST_FAULTS]))
     named = next((line for line in lines if names and line.endswith(_all_known(names))), "")
     lines = [line if line == named else line.removesuffix(_all_known(names)) for line in lines]
+    meant = [name for name in names if any(f"did you mean {name!r}?" in line for line in lines)]
+    lines = [line for line in lines if not any(line == f"{name} is missing" for name in meant)]
     if len(faults) > MOST_FAULTS:
         lines.append(f"and {len(faults) - MOST_FAULTS} more")
     words = "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in name).strip()
@@ -196,14 +198,33 @@ def _all_known(names: Sequence[str]) -> str:
     return f"; known are {', '.join(names)}" if names else ""
 
 
+OTHER_NAMES = {
+    "weight": "mass",
+    "wood": "material",
+    "balance": "balance_point",
+    "inertia": "moi",
+    "outline": "profile",
+    "tension": "strings",
+    "string_tension": "strings",
+}
+"""Of a field, as people call it."""
+
+
+def _meant(key: str, names: Sequence[str]) -> str:
+    """Return the known name that somebody most likely meant by a key; "": none is near."""
+    others = {other: name for other, name in OTHER_NAMES.items() if name in names}
+    close = get_close_matches(key, [*names, *others], n=1, cutoff=ALMOST)
+    return others.get(close[0], close[0]) if close else ""
+
+
 def _fault(fault: ErrorDetails, names: Sequence[str]) -> str:
     parts = [str(part) for part in fault["loc"] if not (isinstance(part, str) and part.endswith("Table"))]
     place, text = ".".join(parts), fault["msg"].removeprefix("Value error, ")
     given = repr(fault["input"])[:LONGEST_INPUT]
     match fault["type"]:
         case "extra_forbidden":
-            close = get_close_matches(parts[-1][:LONGEST_INPUT], names, n=1, cutoff=ALMOST)
-            meant = f": did you mean {close[0]!r}?" if close else _all_known(names) if len(parts) == 1 else ""
+            close = _meant(parts[-1][:LONGEST_INPUT].lower(), names)
+            meant = f": did you mean {close!r}?" if close else _all_known(names) if len(parts) == 1 else ""
             return f"unknown key {place[:LONGEST_INPUT]!r}{meant}"
         case "missing":
             meant = ': write like = "..." with a name of the catalogue, of which the rest is kept'

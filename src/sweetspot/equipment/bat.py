@@ -416,6 +416,6 @@ def _check_stations(stations: Stations, length: float, what: str) -> None:
     first, last = stations[0][0], stations[-1][0]
     if abs(first) > 1e-9 or abs(last - length) > 1e-6 * length:
         raise ValueError(
-            f"{what} runs from {first:.4g} m to {last:.4g} m but the bat from 0 to "
-            f"{length:.4g} m; give a station at each end"
+            f"{what} runs from {format_length(first)} to {format_length(last)} but the bat from 0 to "
+            f"{format_length(length)}; give a station at each end"
         )

@@ -100,6 +100,7 @@ CLAMPED = (
 """Why no frequency is read per minute: clubs have about 250 of them, 4.2 Hz; the catalogue's driver rings at 42."""
 COMMA = re.compile(r"\d,|,\d")
 """`pint` would drop what follows the comma."""
+GRAIN_OR_GRAM = re.compile(r"(?<![a-z])grs?\b\.?", re.IGNORECASE)
 NUMBER = re.compile(r"^\s*[-+]?(\d+\.?\d*|\.\d+|(?:\d+(?:\s+|-))?\d+/\d+)([eE][-+]?\d+)?\s*$")
 
 
@@ -200,11 +201,20 @@ def to_si(text: str | float, kind: Kind, what: str = "value", *, example: str = 
     if kind == "frequency" and PER_MINUTE.search(text):
         raise InputError(f"{what} was given as {text!r}; write for example {example}: {CLAMPED}")
     if NUMBER.match(with_points(text)) and kind != "ratio":
-        raise InputError(f"{what} was given as {text.strip()} without a unit; write for example {example}")
+        raise InputError(f"{what} was given as {text.strip()} without a unit; write {_with_unit(text, kind, example)}")
+    if kind == "mass" and GRAIN_OR_GRAM.search(text):
+        grams = GRAIN_OR_GRAM.sub("g", text)
+        raise InputError(f"{what} was given as {text!r}: gr are grains, of which an ounce has 437.5; grams are {grams}")
     value = _understood(text, kind, what)
     if not math.isfinite(value):
         raise InputError(f"{what} was given as {text!r}; allowed is a finite number, for example {example}")
     return value
+
+
+def _with_unit(text: str, kind: Kind, example: str) -> str:
+    """Return a bare number with the unit of an example behind it."""
+    alone = re.fullmatch(r"[-+\d.]+ (\S+)", example)
+    return f"{text.strip()} {alone[1]}" if alone and kind in ("length", "mass") else f"for example {example}"
 
 
 def _understood(text: str, kind: Kind, what: str) -> float:

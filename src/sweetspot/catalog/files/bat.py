@@ -11,6 +11,7 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field
 
+from sweetspot.catalog.files.mended import fault_of
 from sweetspot.catalog.files.tables import (
     ANGLE,
     DENSITY,
@@ -241,6 +242,9 @@ def table_of_text(text: str, where: str) -> TomlTable:
         return tomllib.loads(text)
     except ValueError as error:  # wrong TOML, or a number of thousands of digits
         table = "; of a table of diameters `sweetspot outline` makes a bat file" if where.endswith(".csv") else ""
+        reason = "" if table else fault_of(text, error)
+        if reason:
+            raise InputError(f"{where}, {reason}" if reason.startswith("line") else f"{where}: {reason}") from None
         raise InputError(f"{where} is not valid TOML: {error}{table}") from None
     except RecursionError:
         raise InputError(f"{where} holds tables inside tables beyond all need; a bat has a few lines") from None
