@@ -9,7 +9,7 @@ from collections import Counter
 import pytest
 
 from sweetspot import catalog
-from sweetspot.analysis.certification.shot_statistics import COR_SPEED
+from sweetspot.analysis.certification.shots import COR_SPEED
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH, MPH

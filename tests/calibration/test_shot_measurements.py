@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.analysis.certification.shot_statistics import COR_SPEED
-from sweetspot.analysis.certification.shots import Shot
+from sweetspot.analysis.certification.shots import COR_SPEED, Shot
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import (
     MEASURED_BALLS,

@@ -17,8 +17,7 @@ from typing import Literal
 
 import numpy as np
 
-from sweetspot.analysis.certification.shot_statistics import COR_SPEED
-from sweetspot.analysis.certification.shots import Shot, by_place
+from sweetspot.analysis.certification.shots import COR_SPEED, Shot, by_place
 from sweetspot.calibration.measured import SEPARATOR, Measured, parse_measured
 from sweetspot.calibration.mode_naming import MOST_BENDING, ModeName, NamedTone
 from sweetspot.calibration.unknowns import OF_BALL, Unknown

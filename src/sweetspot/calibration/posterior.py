@@ -10,6 +10,7 @@ r_i / sqrt(1 - J_i C J_i^T) sigma, its studentised residual r.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,6 +21,7 @@ from sweetspot.calibration.unknowns import OF_BALL, Unknown, deviated
 from sweetspot.dynamics.beam import BeamModel
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.least_squares import nearly_straight_least_squares
 
 CONTRADICTION = 3.0
 """Sigma from which on a source contradicts the others."""
@@ -29,6 +31,8 @@ SHOT_STEP = 0.3
 """Of a spread, in the differences of what shots say."""
 STEP = 0.02
 """Of a spread, in the differences."""
+STRAIGHT = 1e-4
+"""Of a spread: a step as short as this ends the search where the misses are nearly straight."""
 LOOKS = 5
 """Linearizations at most, in the test whether measurements must contradict each other."""
 HARDLY = 0.02
@@ -198,8 +202,6 @@ def _least_squares(misses: Callable[[Array], Array], count: int, *, agreeing: bo
 
     ``agreeing``: whether to give up, by an `InputError`, where no place is without a contradiction.
     """
-    from scipy.optimize import least_squares
-
     first = misses(np.zeros(count))
 
     def possible(x: Array) -> Array:
@@ -214,6 +216,12 @@ def _least_squares(misses: Callable[[Array], Array], count: int, *, agreeing: bo
 
     if agreeing and _hopeless(misses, slopes, count):
         raise InputError("the measurements contradict each other")
+    with suppress(*IMPOSSIBLE):
+        straight = nearly_straight_least_squares(misses, slopes, count, farthest=FARTHEST, close=STRAIGHT)
+        if straight is not None:
+            return straight
+    from scipy.optimize import least_squares
+
     reach = (-FARTHEST, FARTHEST)
     return np.asarray(least_squares(possible, np.zeros(count), jac=slopes, bounds=reach, xtol=1e-4, ftol=1e-6).x)
 

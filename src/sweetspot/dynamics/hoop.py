@@ -40,6 +40,7 @@ from sweetspot.dynamics.wall import WallSection, wall_stiffness
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.piecewise import Piecewise, cubic_spline
+from sweetspot.numerics.special import bessel_j1
 from sweetspot.units import INCH
 
 SLOWEST = 0.12
@@ -196,10 +197,8 @@ def _across(wave: Array, span: Array, radius: Array) -> Array:
     span : c in m.
     radius : a in m.
     """
-    from scipy.special import j1  # here: only hollow barrels need it
-
     phase = wave * span
-    ratio = np.where(phase < 1e-6, 0.5, j1(phase) / np.where(phase < 1e-6, 1.0, phase))
+    ratio = np.where(phase < 1e-6, 0.5, bessel_j1(phase) / np.where(phase < 1e-6, 1.0, phase))
     return np.asarray(1.5 / radius**3 * span**2 * ratio)
 
 

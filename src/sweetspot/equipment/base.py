@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 from functools import cache
 from inspect import Parameter, Signature
+from threading import RLock
 from types import NoneType
 from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar, cast, get_args, get_origin
 
@@ -94,13 +95,15 @@ class _Readable(ModelMetaclass):
 class Validated(BaseModel, metaclass=_Readable):  # noqa: PLW1641  # pydantic hashes what is frozen
     """An immutable, validated value; a wrong one raises `InputError` with one clear message."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, defer_build=True)
 
     def __init__(self, **values: Any) -> None:
         """Take fields by name, in SI or with their units; raises `InputError` that says what is wrong with them."""
         for name, value in values.items():
             if type(value) not in PLAIN and name in KIND_OF and _is_number(type(self), name):
                 values[name] = in_si(value, name)
+        if not self.__pydantic_complete__:
+            _build(type(self))
         try:
             super().__init__(**values)
         except ValidationError as error:
@@ -132,6 +135,16 @@ class Validated(BaseModel, metaclass=_Readable):  # noqa: PLW1641  # pydantic ha
         for name in vars(copy).keys() - type(self).model_fields.keys():  # what the first has worked out since
             del vars(copy)[name]
         return copy
+
+
+_building = RLock()
+"""Held by the thread that builds a validator: pydantic's own building is not for two threads at once."""
+
+
+def _build(kind: type[Validated]) -> None:
+    """Build the validator of a kind when the first of it is made: a tenth of a first answer's time for all kinds."""
+    with _building:
+        kind.model_rebuild()
 
 
 @cache

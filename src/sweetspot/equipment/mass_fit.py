@@ -17,6 +17,7 @@ import numpy as np
 
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.least_squares import nonnegative_least_squares
 
 TRIALS = 60
 FEASIBLE = 1e-9
@@ -94,8 +95,6 @@ def least_departure(corrections: Sequence[Correction], *, misses: Array, scatter
     >>> least_departure([one], misses=np.array([30.0]), scatter=np.array([1.0])) is None
     True
     """
-    from scipy.optimize import nnls
-
     usual, effects, low, high = _arrays(corrections)
     identity = np.eye(len(usual))
     sides = np.vstack([effects / scatter[:, None], -effects / scatter[:, None], identity, -identity])
@@ -103,10 +102,10 @@ def least_departure(corrections: Sequence[Correction], *, misses: Array, scatter
     if np.all(bounds <= 0):
         return np.zeros(len(usual))
     system = np.vstack([sides.T, bounds])
-    weights, distance = nnls(system, np.append(np.zeros(len(usual)), 1.0))
-    if distance < FEASIBLE:
+    aim = np.append(np.zeros(len(usual)), 1.0)
+    residual = system @ nonnegative_least_squares(system, aim) - aim
+    if np.linalg.norm(residual) < FEASIBLE:
         return None
-    residual = system @ weights - np.append(np.zeros(len(usual)), 1.0)
     return np.asarray(-residual[:-1] / residual[-1] * usual)
 
 

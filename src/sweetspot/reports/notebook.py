@@ -12,7 +12,6 @@ from sweetspot.answers.setups import SwungWith
 from sweetspot.errors import InputError
 from sweetspot.numerics.interval import NO_SPEED
 from sweetspot.reports.document import Document, Paragraph
-from sweetspot.reports.html import notebook_cell
 from sweetspot.reports.sentences import Sentence, say
 
 if TYPE_CHECKING:
@@ -31,6 +30,8 @@ def html_of(answer: Any) -> str:
         for what has no document.
     """
     document = document_of(answer)
+    from sweetspot.reports.html import notebook_cell
+
     return notebook_cell(document, document.reader)
 
 

@@ -19,6 +19,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.special import normal_distribution
 from sweetspot.uncertainty.implement_doubt import NO_DOUBT, ImplementDoubt, doubt_of
 
 BAT, PATCH, SWING, PITCH = "bat", "patch of the ball", "swing", "pitch"
@@ -92,14 +93,12 @@ class Sources:
 
     def deviations(self, normal: Array) -> Array:
         """Return deviations from what was described, of the bat's unknowns and then of the others, shape (count, m)."""
-        import scipy.special
-
         of_bat, rest = np.split(normal, [len(self.doubt.behind)], axis=1)
         others = np.empty_like(rest)
         for column, source in enumerate(self.others):
             if isinstance(source.spread, tuple):
                 low, high = source.spread
-                others[:, column] = low + (high - low) * scipy.special.ndtr(rest[:, column])
+                others[:, column] = low + (high - low) * normal_distribution(rest[:, column])
             else:
                 others[:, column] = source.spread * rest[:, column]
         return np.hstack([of_bat @ self.doubt.factor.T, others])

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from statistics import fmean, median, stdev
 
 from sweetspot.analysis.certification.rules import Finding
-from sweetspot.analysis.certification.shots import Shot, by_place
+from sweetspot.analysis.certification.shots import COR_SPEED, Shot, by_place
 from sweetspot.analysis.certification.simulated_test import (
     BASEBALL_TEST,
     BBCOR_SPEED,
@@ -113,8 +113,6 @@ FINEST = 0.001
 """Least robust standard deviation of BBCOR; smaller ones are rounding."""
 FAR_FROM_TEST = 0.25
 """Part by which the speed of shots differs from the test's when a column in another unit is suspected."""
-COR_SPEED = 60 * MPH
-"""Speed at which a ball's own restitution is measured [astm_f1887]."""
 
 
 @dataclass(frozen=True)

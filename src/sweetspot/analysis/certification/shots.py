@@ -26,12 +26,14 @@ from sweetspot.tables.headings import (
     read_headings,
 )
 from sweetspot.tables.text_encoding import table_rows
-from sweetspot.units import format_length
+from sweetspot.units import MPH, format_length
 
 SHOTS = ("ball_in", "ball_out", "bat_speed", "position", "ball_cor", "ball_stiffness", "ball_mass")
 """Columns that are understood."""
 NEEDED = ("ball_in", "ball_out", "position")
 CLAMP = STANDARD_AXIS
+COR_SPEED = 60 * MPH
+"""m/s at which a ball's own restitution is measured [astm_f1887]."""
 COLUMNS_HINT = "ball_in_mph, ball_out_mph and position_in_from_tip (or _m_s, _m_from_knob, ...)"
 
 

@@ -79,7 +79,7 @@ Parts = Annotated[tuple[tuple[str, float], ...] | None, PairsOf("length", "ratio
 class FileTable(Validated):
     """A table of a file: text with units, as people write it."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=False)
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=False, defer_build=True)
 
 
 def meaning_of(field: FieldInfo) -> Meaning | None:
