@@ -81,7 +81,8 @@ def outline(
     source: Annotated[
         str,
         Parameter(
-            help="What holds the outline: a CSV with columns like in_from_tip and diameter_mm, a drawing (SVG, DXF), "
+            help="What holds the outline: a CSV with columns like in_from_tip and diameter_mm, a drawing (SVG, DXF), a "
+            "solid (STEP), a mesh (STL, OBJ), a lathe program (.nc, .gcode), "
             "a photograph (JPEG, PNG) of the bat on a plain ground, "
             "or, to draw it, a file or a name of the catalogue: a bat, racket, club or stick."
         ),

@@ -176,7 +176,7 @@ def test_other_files(tmp_path: Path) -> None:
         ("bat.svg", b"<html></html>", "not an SVG"),
         ("bat.svg", b'<svg><path d="M0 0 L"/></svg>', "cannot be understood"),
         ("bat.dxf", b"hello", "not a DXF"),
-        ("bat.stp", b"", "ending"),
+        ("bat.sldprt", b"", "ending"),
     ):
         (tmp_path / name).write_bytes(content)
         with pytest.raises(InputError, match=message):

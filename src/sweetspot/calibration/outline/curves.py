@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from sweetspot.calibration.outline.measured_outline import USUAL_LENGTH, MeasuredOutline, knob_first, simplified
+from sweetspot.calibration.outline.measured_outline import USUAL_LENGTH, MeasuredOutline, fewest_stations, knob_first
 from sweetspot.equipment.bat import DIAMETER_RANGE
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -24,8 +24,6 @@ SLENDER = 6.0
 """Length over thickness from which on a drawing lies along its paper; others are turned upright first."""
 PLACES = 1001
 """Along the bat at least, where its thickness is taken."""
-TOLERANCE = 1e-5
-"""m of diameter, by which fewer stations may differ from the curves."""
 ROUND = 0.05
 """Of the length at either end, where a round tip or knob goes down to the axis: it is blunt there by what a bat file
 allows at least."""
@@ -76,7 +74,7 @@ def outline_of_curves(
     if length is not None and unit is not None and abs(unit * size / length - 1) > STRAIGHT:
         notes.append(f"The drawing's own units make it {1e3 * unit * size:.1f} mm long; it was scaled to --length.")
     along[[0, -1]] = 0.0, drawn
-    return MeasuredOutline(simplified(along, diameter, TOLERANCE), (), tuple(notes))
+    return MeasuredOutline(fewest_stations(along, diameter), (), tuple(notes))
 
 
 def check_drawn(curves: Sequence[Array], what: str) -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.catalog.files.turned import TIP
-from sweetspot.equipment.shell import Stations
+from sweetspot.equipment.shell import MOST_STATIONS, Stations
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.units import INCH
@@ -20,6 +20,8 @@ HANDLE, BARREL, KNOB = (0.015, 0.031), (0.040, 0.071), 1.25
 catalogue's bats, with room (but for one with an uncommon handle)."""
 HANDLE_FROM, HANDLE_TO, KNOB_TO = 0.06, 0.6, 0.05
 """Of the length from the knob end: where the handle is thinnest, and as far as a knob reaches."""
+TOLERANCE = 1e-5
+"""m of diameter, by which fewer stations may differ from what was drawn."""
 USUAL_LENGTH = (0.3, 1.3)
 """m; a drawing without units whose size is not this long has no scale."""
 
@@ -86,6 +88,13 @@ def simplified(place: Array, diameter: Array, tolerance: float) -> Stations:
             chosen[middle] = True
             open_pieces += [(first, middle), (middle, last)]
     return tuple(zip(place[chosen].tolist(), diameter[chosen].tolist(), strict=True))
+
+
+def fewest_stations(place: Array, diameter: Array, tolerance: float = TOLERANCE) -> Stations:
+    """Return `simplified` stations, no more than a bat file may have: where these do not do, a little farther off."""
+    while len(profile := simplified(place, diameter, tolerance)) > MOST_STATIONS:
+        tolerance *= 1.25
+    return profile
 
 
 def unlike_bats(profile: Stations) -> tuple[str, ...]:

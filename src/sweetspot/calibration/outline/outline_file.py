@@ -7,9 +7,12 @@ from pathlib import Path
 
 from sweetspot.calibration.outline.curves import outline_of_curves
 from sweetspot.calibration.outline.drawing_file import dxf_curves, svg_curves
+from sweetspot.calibration.outline.lathe_program import program_outline
 from sweetspot.calibration.outline.measured_outline import MeasuredOutline, unlike_bats
 from sweetspot.calibration.outline.photo.photo_outline import read_photo
+from sweetspot.calibration.outline.solid_mesh import mesh_outline
 from sweetspot.calibration.outline.station_table import read_stations
+from sweetspot.calibration.outline.step_file import step_outline
 from sweetspot.errors import InputError
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
 
@@ -17,7 +20,10 @@ TABLES, DRAWINGS = (".csv", ".txt", ".tsv"), (".svg", ".dxf")
 PHOTOGRAPHS = (".jpg", ".jpeg", ".png", ".tif", ".tiff", ".webp", ".bmp")
 HEIF = (".heic", ".heif")
 """Photographs that are not read; the message says how to save them."""
-ENDINGS = TABLES + DRAWINGS + PHOTOGRAPHS
+MESHES, SOLIDS = (".stl", ".obj"), (".step", ".stp")
+PROGRAMS = (".nc", ".gcode", ".ngc", ".tap", ".cnc")
+"""Of lathes."""
+ENDINGS = TABLES + DRAWINGS + MESHES + SOLIDS + PROGRAMS + PHOTOGRAPHS
 
 
 def read_outline(
@@ -28,7 +34,10 @@ def read_outline(
     camera_distance: float | None = None,
     given: GivenColumns = NOTHING_GIVEN,
 ) -> MeasuredOutline:
-    """Return the outline that a file holds: a table of stations (CSV), a drawing (SVG, DXF) or a photograph.
+    """Return the outline that a file holds.
+
+    A table of stations (CSV), a drawing (SVG, DXF), a solid (STEP), a mesh (STL, OBJ), a lathe's program (G-code) or a
+    photograph.
 
     It notes what is unlike bats.
 
@@ -42,6 +51,12 @@ def read_outline(
         raise InputError(f"--ruler and --camera-distance are for photographs; {path} is none")
     elif ending in TABLES:
         outline = read_stations(path, length=length, given=given)
+    elif ending in MESHES:
+        outline = mesh_outline(path, length=length)
+    elif ending in SOLIDS:
+        outline = step_outline(path, length=length)
+    elif ending in PROGRAMS:
+        outline = program_outline(path, length=length)
     elif ending in DRAWINGS:
         curves, unit = svg_curves(path) if ending == ".svg" else dxf_curves(path)
         outline = outline_of_curves(curves, str(path), unit=unit, length=length, axis=ending == ".dxf")

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sweetspot.calibration.outline.measured_outline import MeasuredOutline, knob_first, simplified
+from sweetspot.calibration.outline.measured_outline import MeasuredOutline, fewest_stations, knob_first
 from sweetspot.calibration.outline.photo.edges import Edges, find_edges, sharp_ends
 from sweetspot.calibration.outline.photo.ground import differences, shadow_at_a_flank, tint_and_shade
 from sweetspot.calibration.outline.photo.picture import Photograph, read_picture
@@ -19,8 +19,6 @@ from sweetspot.numerics.arrays import Array
 
 TOLERANCE = 1e-4
 """m of diameter, by which fewer stations may differ from the edges."""
-STATIONS = 120
-"""At most, of a bat file."""
 PIXEL = 0.5
 """One sigma of an edge in pixels, common to all places: sharpening, bloom, the curve of the colours (assumed)."""
 TOO_UNSETTLED = 0.05
@@ -217,9 +215,7 @@ def _measured(
     place, width = place[inside], np.maximum(width[inside], DIAMETER_RANGE[0])
     place = np.concatenate([[0], place, [reach]])
     width, unsettled = (np.concatenate([entry[:1], entry, entry[-1:]]) for entry in (width, unsettled[inside]))
-    tolerance = TOLERANCE
-    while len(profile := simplified(place, width, tolerance)) > STATIONS:
-        tolerance *= 1.25
+    profile = fewest_stations(place, width, TOLERANCE)
     at = float(np.hypot(scale, EXCESS_DOUBT * excess.mean() if away else excess.mean()))
     unseen = 0.0 if away else float(excess.sum()) / reach  # of the scale: the ends seem farther apart than they are
     edge = scale * np.hypot(np.sqrt(2) * edges.scatter / SMOOTHED, np.maximum(np.sqrt(2) * PIXEL, unsettled))
