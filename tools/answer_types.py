@@ -26,7 +26,7 @@ from sweetspot.answers.records import GAPS, GRID, NESTED, visible_fields
 from sweetspot.numerics.interval import Band, Interval
 from sweetspot.units.dimensions import Dimension
 from sweetspot.web.catalogue import catalogue_routes
-from sweetspot.web.files import FOLDER
+from sweetspot.web.page_modules import FOLDER
 from sweetspot.web.views import VIEWS
 
 FILE = FOLDER / "answers.d.ts"

@@ -495,7 +495,7 @@ def test_beside_a_jump_what_is_told_of_the_hit_is_of_that_hit(client: httpx.Clie
 
 
 def test_modules_are_sent_without_their_comments_line_by_line(client: httpx.Client) -> None:
-    from sweetspot.web.files import FOLDER
+    from sweetspot.web.page_modules import FOLDER
 
     written = (FOLDER / "shell" / "main.js").read_text(encoding="utf-8").splitlines()
     sent = client.get("/static/shell/main.js").text.splitlines()

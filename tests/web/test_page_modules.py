@@ -12,7 +12,7 @@ import pytest
 from playwright.sync_api import BrowserContext, Page, expect
 
 from sweetspot.reports.quantities import PALETTE, SI, US
-from sweetspot.web.files import FOLDER
+from sweetspot.web.page_modules import FOLDER
 from tests.web.parts import Answered, Wait
 
 SOUND = ("recorder",)

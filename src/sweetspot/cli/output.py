@@ -101,7 +101,7 @@ def present(answer: Answer | Document, options: OutputOptions, *, long: bool = F
 
     written: list[Path] = []
     document = document_of(answer)
-    document = replace(document, title=options.title or document.title, made_for=options.made_for, made=_made())
+    document = replace(document, title=options.title or document.title, made_for=options.made_for, made=made())
     reader = document.reader_of(options.units or SETTINGS.get().units)
     if options.out is not None:
         from sweetspot.reports.files import write_document
@@ -127,7 +127,7 @@ ASKED: ContextVar[Sequence[str]] = ContextVar("ASKED", default=())
 """The words of the command line that is being answered."""
 
 
-def _made() -> str:
+def made() -> str:
     """Return when an answer was made, and from what: the head of a page."""
     words = shlex.join(["sweetspot", *ASKED.get()]) if ASKED.get() else ""
     return f"{today()}{': ' if words else ''}{words}"

@@ -113,19 +113,20 @@ def film_phases(release: float, arrival: float | None) -> list[tuple[float, str]
 
     The words have the names of what changes all the time: {moment}, {pressed}, {force}.
     """
-    ball = [
-        (BEFORE, "the ball is on its way"),
-        (0.0, "the ball is pressed in by {pressed} with {force}"),
-        (release, "the ball has left"),
-    ]
-    hands = [(BEFORE, "the hands feel nothing yet")]
-    if arrival is not None:
-        hands.append((arrival, "the wave has reached the hands"))
+    ball = list(zip((BEFORE, 0.0, release), FILMED_BALL, strict=True))
+    hands = list(zip((BEFORE,) if arrival is None else (BEFORE, arrival), FILMED_HANDS, strict=False))
     phases = []
     for start in sorted({moment for moment, _ in ball + hands}):
         doing, felt = (next(words for moment, words in reversed(row) if moment <= start) for row in (ball, hands))
-        phases.append((start, f"{{moment}} after first touch: {doing}; {felt}"))
+        phases.append((start, FILMED.format(doing=doing, felt=felt)))
     return phases
+
+
+FILMED_BALL = ("the ball is on its way", "the ball is pressed in by {pressed} with {force}", "the ball has left")
+"""Before first touch, from then on, and when it has left."""
+FILMED_HANDS = ("the hands feel nothing yet", "the wave has reached the hands")
+FILMED = "{{moment}} after first touch: {doing}; {felt}"
+"""What a film shows at a moment."""
 
 
 def wave_words(name: str, *, contact_time: float, arrival: float | None, given: float | None) -> list[Sentence]:

@@ -5,24 +5,21 @@ from __future__ import annotations
 import gzip
 import hashlib
 import json
-import re
 from dataclasses import dataclass
 from pathlib import Path
 
 from sweetspot import __version__
 from sweetspot.reports.quantity_table import quantity_data
 from sweetspot.web.controls import CARRIED
+from sweetspot.web.page_modules import FOLDER, without_comments
 from sweetspot.web.views import VIEWS
 
-FOLDER = Path(__file__).with_name("static")
 TYPES = {
     ".html": "text/html; charset=utf-8",
     ".js": "text/javascript; charset=utf-8",
     ".css": "text/css; charset=utf-8",
     ".svg": "image/svg+xml",
 }
-COMMENT = re.compile(r"^[ \t]*(?://.*|/\*(?:(?!\*/)[\s\S])*\*/[ \t]*)$", re.MULTILINE)
-"""Whole lines that are a comment and nothing else; one with code before or behind it is none."""
 
 
 @dataclass(frozen=True)
@@ -49,15 +46,6 @@ def shell(template: File) -> File:
     ]
     facts = json.dumps({"version": __version__, "views": views, "carried": CARRIED}).replace("<", "\\u003c")
     return _file(template.content.replace(b"@facts@", facts.encode()), ".html")
-
-
-def without_comments(module: str) -> str:
-    r"""Return a module's text whose lines that are comments alone are empty, in their places.
-
-    >>> without_comments("/* one\n two */\n// three\nlet a;\n/* four\n */ let b;\n")
-    '\n\n\nlet a;\n/* four\n */ let b;\n'
-    """
-    return COMMENT.sub(lambda comment: "\n" * comment[0].count("\n"), module)
 
 
 def _sent(path: Path) -> bytes:

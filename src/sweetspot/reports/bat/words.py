@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,7 +19,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH, Interval, Number
 from sweetspot.reports.bat.provenance import soft_defaults
 from sweetspot.reports.hit.document import best_in_doubt, curve
-from sweetspot.reports.sentences import Part, Sentence, Slot, joined, say, within
+from sweetspot.reports.sentences import Line, Part, Sentence, Slot, joined, say, tell, within
 from sweetspot.reports.sport_words import arriving, in_words, weight, words_of
 from sweetspot.uncertainty.drawn_hits import SpeedDoubt
 from sweetspot.uncertainty.sources import BALL_SOURCES, PATCH, PITCH, SWING
@@ -217,17 +218,29 @@ def _why_not_the_end(report: ReportAnswer, words: Terms) -> Sentence:
 
 def _miss(report: ReportAnswer, words: Terms) -> Sentence:
     drawn = report.uncertainty is not None
-    costs = []
-    for miss in report.misses:
-        beyond = float(report.sweet_spots.max_exit_speed) + float(miss.distance) > float(report.scan.position[-1])
-        off = f"off the {words.implement}" if beyond else cost(miss.outside, drawn=drawn)
-        sides = {"inside": cost(miss.inside, drawn=drawn), "outside": off}
-        template = "{miss.distance:place, round}: {inside} towards the {hands}, {outside} towards the {tip}"
-        costs.append(in_words(template, words, miss=miss, **sides))
-    if not costs:
-        return Sentence(())
-    sentences = [say("What a miss costs: {costs}.", costs=joined(costs, "; "))]
-    return joined([*sentences, why_in_brackets(report, words)])
+    best, end = float(report.sweet_spots.max_exit_speed), float(report.scan.position[-1])
+    costs = [
+        miss_words(
+            float(miss.distance),
+            cost(miss.inside, drawn=drawn),
+            None if best + float(miss.distance) > end else cost(miss.outside, drawn=drawn),
+            words,
+        )
+        for miss in report.misses
+    ]
+    return joined([misses_words(costs), why_in_brackets(report, words)]) if costs else Sentence(())
+
+
+def miss_words(distance: float, inside: Sentence, outside: Sentence | None, words: Terms) -> Sentence:
+    """Return the cost of missing the best place by ``distance`` m; ``outside`` None: nothing is hit there."""
+    off = f"off the {words.implement}" if outside is None else outside
+    template = "{distance:place, round}: {inside} towards the {hands}, {outside} towards the {tip}"
+    return in_words(template, words, distance=distance, inside=inside, outside=off)
+
+
+def misses_words(costs: Sequence[Sentence]) -> Sentence:
+    """Return the costs of misses, one after the other."""
+    return say("What a miss costs: {costs}.", costs=joined(costs, "; "))
 
 
 def why_in_brackets(report: ReportAnswer, words: Terms) -> Sentence:
@@ -360,25 +373,52 @@ def why_here(
     """
     place = difference.position
     here, there = float(effective_mass(body, place)), float(effective_mass(body, best))
-    if abs(place - best) < NEAR:
-        this = "This is" if in_the_middle else "For a {ball} met in the middle this is"
-        template = this + (
-            " the best place along the {implement}: further out it moves faster but recoils more and bends more, "
-            "further in it moves slower. The {ball} meets {mass} of {whole}."
-        )
-        return in_words(template, words, mass=weight(here), whole=weight(body.mass))
+    near, vibrates = abs(place - best) < NEAR, abs(difference.keeping) > LITTLE
     faster = conditions.swing.speed_at(place) - conditions.swing.speed_at(best)
-    way, keeps = "faster" if faster > 0 else "slower", "more" if difference.keeping < 0 else "less"
-    reasons = [
-        f"Against the best place the {{implement}} moves {{change:speed}} {way} here ({{parts.motion:speed, sign}})",
-        "the {ball} meets {here} instead of {there} of it ({parts.giving:speed, sign})",
-        f"it keeps {keeps} as vibration ({{parts.keeping:speed, sign}})",
-    ]
-    facts = {"change": abs(faster), "parts": difference, "here": weight(here), "there": weight(there)}
-    reasons = reasons if abs(difference.keeping) > LITTLE else reasons[:-1]
-    parts = [in_words(reason, words, **facts) for reason in reasons]
-    total = in_words("together {whole:speed, sign}.", words, whole=difference.whole)
-    return joined([joined([*parts[:-1], "and"], ", ") + " " + parts[-1] + ":", total])
+    return tell(
+        WHY_HERE,
+        **words.model_dump(),
+        near=near,
+        near_in_the_middle=near and in_the_middle,
+        near_but_met_off_axis=near and not in_the_middle,
+        faster_here=not near and faster > 0,
+        slower_here=not near and not faster > 0,
+        keeping_told=not near and vibrates,
+        keeping_untold=not near and not vibrates,
+        keeps_more=not near and vibrates and difference.keeping < 0,
+        keeps_less=not near and vibrates and not difference.keeping < 0,
+        change=abs(faster),
+        motion=difference.motion,
+        giving=difference.giving,
+        keeping=difference.keeping,
+        together=difference.whole,
+        met_here=weight(here),
+        met_there=weight(there),
+        whole_mass=weight(body.mass),
+    )
+
+
+WHY_HERE = (
+    Line("This is", when="near_in_the_middle"),
+    Line("For a {ball} met in the middle this is", when="near_but_met_off_axis"),
+    Line(
+        " the best place along the {implement}: further out it moves faster but recoils more and bends more, further "
+        "in it moves slower. The {ball} meets {met_here} of {whole_mass}.",
+        when="near",
+    ),
+    Line("Against the best place the {implement} moves {change:speed}", unless="near"),
+    Line(" faster", when="faster_here"),
+    Line(" slower", when="slower_here"),
+    Line(" here ({motion:speed, sign}),", unless="near"),
+    Line(" and", when="keeping_untold"),
+    Line(" the {ball} meets {met_here} instead of {met_there} of it ({giving:speed, sign})", unless="near"),
+    Line(", and it keeps", when="keeping_told"),
+    Line(" more", when="keeps_more"),
+    Line(" less", when="keeps_less"),
+    Line(" as vibration ({keeping:speed, sign})", when="keeping_told"),
+    Line(": together {together:speed, sign}.", unless="near"),
+)
+"""Why a ball met in the middle leaves a place as it does; see `why_here`."""
 
 
 def why_off_axis(offset: float, cost: float, *, words: Terms) -> Sentence:

@@ -34,7 +34,7 @@ export interface Answers {
 
 /** What is asked apart, by view and name. */
 export interface Asides {
-  explorer: { map: PowerMap; why: ReportWords; sure: ReadDocument; };
+  explorer: { map: PowerMap; why: ReportWords; sure: ReadDocument; file: OneFile; };
   hit: { sure: ReadDocument; };
   modes: {  };
   compare: { intervals: SureComparison; rules: CertifiedBats; sure: ReadDocument; rules_sure: ReadDocument; };
@@ -44,7 +44,7 @@ export interface Asides {
   own: { tap: HeardTaps; file: WrittenBat; };
   design: { gain: DesignWorth; files: DesignFiles; batter: BatterControls; };
   season: { summary: SeasonWords; maps: SeasonMaps; player: ReadDocument | null; contacts: BatterControls; };
-  sports: { face: SportsFace; sentences: SportsWords; };
+  sports: { face: SportsFace; sentences: SportsWords; file: OneFile; };
   paper: {  };
 }
 
@@ -1117,6 +1117,12 @@ export interface ModesState {
   tap_from_tip_in: number;
   tap_ms: number;
   exaggeration: number;
+}
+
+/** A file of HTML and what it is called. */
+export interface OneFile {
+  name: string;
+  html: string;
 }
 
 /** The bat, how fast it is swung, and the pitch it meets. */

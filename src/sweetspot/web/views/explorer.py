@@ -14,6 +14,7 @@ from sweetspot.answers.conditions import HitConditions, hit_conditions
 from sweetspot.answers.hit import CollisionNumbers, numbers_in_batch
 from sweetspot.answers.records import Angle, Impulse, Length, Ratio, Speed, Spin
 from sweetspot.answers.report import SweetSpotPlaces, report_of, sweet_spot_places
+from sweetspot.answers.setups import SwungWith
 from sweetspot.collision.closed_form import bbcor, exit_speed
 from sweetspot.collision.hit_in_space import Strikes
 from sweetspot.collision.impact import Impacts, Outcome
@@ -22,14 +23,17 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval, values_of
 from sweetspot.reports.bat.words import answer_words, speed_difference, why_backwards, why_here, why_off_axis
 from sweetspot.reports.hit.document import touched_again_at
+from sweetspot.reports.notebook import effort_words
 from sweetspot.reports.page_words import energy_names, energy_words, hits_fastest, leaves_here, place_words
 from sweetspot.reports.sport_words import words_of
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import LENGTH, SPEED, VIBRATION, System
-from sweetspot.web.bats import place_of
+from sweetspot.web.bats import changed_bat, place_of
 from sweetspot.web.controls import HitState
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, in_either_system, page_document
 from sweetspot.web.drawings import BallPicture, BatPicture, ball_picture, bat_picture
+from sweetspot.web.offline.bat_numbers import OfflineBat
+from sweetspot.web.offline.page import FileHead, OneFile, offline_file
 from sweetspot.web.recipes import Ask, bat_source, bat_text, lines_of, options_of, place_option, swing_options
 from sweetspot.web.view import View
 from sweetspot.web.views.explorer_curves import (
@@ -220,6 +224,18 @@ def sure(state: ExplorerState) -> ReadDocument:
     return page_document(report_document(report_of(analysis, sources, drawn=True, draws=PAGE_DRAWS)))
 
 
+def file(state: ExplorerState) -> OneFile:
+    """Return a file of HTML that computes the hits of a state's bat itself; the ball is met on the bat's axis."""
+    from sweetspot.web.how_sure import sources_for
+
+    setup = along(state)
+    bat, conditions, changed = setup.reduced.bat, setup.conditions, changed_bat(state)
+    notes = [effort_words(SwungWith.of(changed, conditions, same_speed=state.same == "speed"))] if changed else []
+    offline = OfflineBat(setup.reduced, conditions, sources_for(state, bat, conditions))
+    from_tip = bat.length - place_of(state, bat, conditions)
+    return OneFile.of(bat.name, offline_file(offline, head=FileHead(notes=notes), from_tip=from_tip))
+
+
 def recipe(state: ExplorerState) -> dict[str, str]:
     """Return the lines that give the hit, and the curves of a ball met in the middle."""
     bat, options = (bat_source(state),), swing_options(state)
@@ -289,4 +305,11 @@ def _hit(state: ExplorerState, setup: Met, found: HitsAlongBat) -> tuple[Explore
     return result, middle if leaves or state.offset_in != 0 else None
 
 
-VIEW = View("explorer", "Explorer", ExplorerState, answer, recipe, asides={"map": power_map, "why": why, "sure": sure})
+VIEW = View(
+    "explorer",
+    "Explorer",
+    ExplorerState,
+    answer,
+    recipe,
+    asides={"map": power_map, "why": why, "sure": sure, "file": file},
+)

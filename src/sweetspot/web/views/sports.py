@@ -30,12 +30,15 @@ from sweetspot.reports.bat.words import answer_words
 from sweetspot.reports.hit.document import touched_again_at, touched_again_between
 from sweetspot.reports.page_words import hits_fastest, leaves_here
 from sweetspot.reports.sport_words import words_of
+from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import INCH, MPH
 from sweetspot.units.dimensions import LENGTH, SPEED, VIBRATION
 from sweetspot.web.bats import implement_of
 from sweetspot.web.controls import Name, Toml, ViewState, within
 from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.errors import FieldError, about
+from sweetspot.web.offline.bat_numbers import OfflineBat
+from sweetspot.web.offline.page import OneFile, offline_file
 from sweetspot.web.recipes import Ask, lines_of, number, options_of
 from sweetspot.web.view import View
 
@@ -258,6 +261,15 @@ def _hit(state: SportsState, analysis: Analysis[Implement]) -> SportsHit:
     )
 
 
+def file(state: SportsState) -> OneFile:
+    """Return a file of HTML that computes the hits of an implement itself; they are on its line."""
+    analysis = _played(state)
+    bat = analysis.bat
+    offline = OfflineBat(analysis.reduced, analysis.conditions, sources_of(bat, analysis.conditions))
+    from_tip = None if state.met_from_tip_in is None else state.met_from_tip_in * INCH
+    return OneFile.of(bat.name, offline_file(offline, from_tip=from_tip))
+
+
 def recipe(state: SportsState) -> dict[str, str]:
     """Return command line and Python lines that give the same numbers, and the file they read, if there is one."""
     things = (state.implement if state.implement_toml is None else FILE,)
@@ -269,4 +281,6 @@ def recipe(state: SportsState) -> dict[str, str]:
     return lines_of(*asks) | ({} if state.implement_toml is None else {FILE: state.implement_toml})
 
 
-VIEW = View("sports", "Every sport", SportsState, answer, recipe, asides={"face": face, "sentences": sentences})
+VIEW = View(
+    "sports", "Every sport", SportsState, answer, recipe, asides={"face": face, "sentences": sentences, "file": file}
+)

@@ -182,3 +182,10 @@ function paintCup(context, bat, { left, scale, middle }, colors) {
   const [radius, depth] = [(bat.cup.diameter_m / 2) * scale, bat.cup.depth_m * scale];
   shape(context, Array.from({ length: 21 }, (_, i) => [tip - depth * (1 - (i / 10 - 1) ** 2), middle + radius * (i / 10 - 1)]), { fill: colors.panel, edge: colors.woodEdge, width: 1 });
 }
+
+/** @param {number[]} places @param {number[]} values @param {number} x */
+export function between(places, values, x) {
+  const step = places[1] - places[0];
+  const i = Math.min(places.length - 2, Math.max(0, Math.floor(x / step + 1e-9)));
+  return values[i] + ((x - places[i]) / (places[i + 1] - places[i])) * (values[i + 1] - values[i]);
+}

@@ -1,7 +1,6 @@
 // Pictures of one moment of a film: the bat from the side, bending, and the barrel from its end, with the ball on it.
 
-import { around, looks, radiusAt } from "./batpaint.js";
-import { between } from "./modescene.js";
+import { around, between, looks, radiusAt } from "./batpaint.js";
 import { dot, line, shape } from "../charts/pen.js";
 import { FONT, haloText, wrapped } from "../charts/surface.js";
 /** @import { Colors } from "../shell/main.js" */

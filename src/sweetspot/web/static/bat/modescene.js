@@ -1,6 +1,6 @@
 // A motion of the bat: above, the bat at rest with the still places marked; below, the bat moving, larger than life.
 
-import { around, looks, paintBat, radiusAt } from "./batpaint.js";
+import { around, between, looks, paintBat, radiusAt } from "./batpaint.js";
 import { dot, line, shape } from "../charts/pen.js";
 import { FONT, haloText } from "../charts/surface.js";
 /** @import { ModesAnswer, BatMotion } from "../answers.js" */
@@ -179,11 +179,4 @@ function paintNodes(context, stage, { motion, answer, colors, text }) {
   context.fillStyle = colors.muted;
   context.textBaseline = "alphabetic";
   context.fillText(stage.width < 560 ? "● stands still" : "● stands still; numbers are from the tip", stage.width - PAD, stage.height - 8);
-}
-
-/** @param {number[]} places @param {number[]} values @param {number} x */
-export function between(places, values, x) {
-  const step = places[1] - places[0];
-  const i = Math.min(places.length - 2, Math.max(0, Math.floor(x / step + 1e-9)));
-  return values[i] + ((x - places[i]) / (places[i + 1] - places[i])) * (values[i + 1] - values[i]);
 }

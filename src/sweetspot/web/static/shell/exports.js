@@ -2,6 +2,7 @@
 
 import { isPacked } from "./address.js";
 import { download, downloadBlob } from "./download.js";
+import { makerOf, saveOneFile } from "./onefile.js";
 import { posted } from "./post.js";
 import { FONT, wrapped } from "../charts/surface.js";
 import { make, partOf } from "../controls/parts.js";
@@ -40,6 +41,8 @@ function choices(app) {
   }
   if (app.view?.table) found.push(["CSV", () => save(app, "csv", "text/csv", csvOf(app.view?.table?.() ?? {}))]);
   found.push(["JSON", () => save(app, "json", "application/json", jsonOf(app))]);
+  const maker = makerOf(app);
+  if (maker) found.unshift(["Save as one file", () => saveOneFile(app, maker)]);
   return found;
 }
 
