@@ -43,4 +43,4 @@ def test_how_sure_a_report_is(benchmark: Any, record: Callable[..., None], name:
     sources = sources_of(analysis.bat, analysis.conditions)
     drawn_report(analysis, sources, count=4)
     seconds = measured(benchmark, lambda: drawn_report(analysis, sources))
-    record(f"{DRAWS:,} draws of the report of {name}", duration(seconds), goal="2 s")
+    record(f"{DRAWS:,} draws of the report of {name}", duration(seconds), goal="250 ms")
