@@ -6,7 +6,7 @@ BAT := r161-ash
 OUT := report
 unexport PYTHONDONTWRITEBYTECODE  # what one run has compiled the next need not, nor each program that a test starts
 
-.PHONY: report app browser test test-lowest quick-lowest coverage lint js types docs pins mutants evidence bench bench-quick format lock fuzz metamorphic house clean
+.PHONY: report app browser test test-lowest quick-lowest coverage lint js types docs pins mutants evidence bench bench-quick format lock fuzz kills metamorphic house clean
 
 report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=folder
 	$(BIN)/sweetspot report $(BAT) --out $(OUT)
@@ -91,6 +91,9 @@ mutants: $(VENV)/.dev  ## deliberate mistakes in physics and catalogue that the 
 
 evidence: $(VENV)/.dev  ## which published rows notice a constant of the physics that is wrong; goes on where it stopped
 	$(BIN)/python tools/evidence.py
+
+kills: $(VENV)/.dev  ## kill -9 at random moments of season, design, calibrate and fit-player, and the same again: the same bytes
+	$(BIN)/python tools/kills.py --runs $(or $(RUNS),500) --seed $(or $(SEED),1)
 
 MANY := 100
 metamorphic: $(VENV)/.dev  ## relations between answers on MANY times as many generated bats, flights and files as usual

@@ -145,6 +145,9 @@ def test_a_stopped_search_goes_on_as_if_it_had_not_been(
     assert np.array_equal(second.numbers, whole.numbers)
     with pytest.raises(InputError, match="another bat, batter"):
         resumed(bench, small(limits, seed=5), saved(bench, small(limits), first))
+    text = saved(bench, small(limits), first)
+    with pytest.raises(InputError, match="changed since"):
+        resumed(bench, small(limits), text.replace('"generation": ', '"generation": 1'))
     with pytest.raises(InputError, match="no saved search"):
         resumed(bench, small(limits), "{}")
 

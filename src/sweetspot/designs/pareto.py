@@ -10,11 +10,13 @@ from typing import Any
 
 import numpy as np
 
+from sweetspot import __version__
 from sweetspot.designs.constraints import Limit, near_words
 from sweetspot.designs.measures import MEASURES, Bench, MeasuredDesigns
 from sweetspot.designs.variables import ranges
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
+from sweetspot.numerics.whole_files import digest
 
 POPULATION, GENERATIONS = 48, 30
 NEAR_START = 0.25
@@ -135,15 +137,22 @@ def excesses(question: DesignSearch, measured: MeasuredDesigns) -> Array:
 
 def saved(bench: Bench, question: DesignSearch, front: Front) -> str:
     """Return a search as text, from which it can go on."""
+    population = front.population.tolist()
     return json.dumps(
         {
             "question": fingerprint(bench, question),
+            "digest": _digest_of(front.generation, population),
             "generation": front.generation,
             "variables": [variable.name for variable in bench.space.variables],
-            "population": front.population.tolist(),
+            "population": population,
         },
         indent=1,
     )
+
+
+def _digest_of(generation: int, population: list[list[float]]) -> str:
+    """Return a hash of the state of a search, so that a number that was changed since is noticed."""
+    return digest(json.dumps([generation, population]).encode()).hex()
 
 
 def resumed(bench: Bench, question: DesignSearch, text: str) -> tuple[int, Array]:
@@ -152,12 +161,16 @@ def resumed(bench: Bench, question: DesignSearch, text: str) -> tuple[int, Array
         state: Any = json.loads(text)
         same = state["question"] == fingerprint(bench, question)
         generation, numbers = int(state["generation"]), np.array(state["population"], float)
+        whole = state["digest"] == _digest_of(generation, state["population"])
     except (ValueError, KeyError, TypeError) as error:
         raise InputError(f"this is no saved search: {error}; leave out --resume to begin anew") from None
     if not same:
         raise InputError(
-            "the saved search was for another bat, batter, wants, limits or seed; begin anew or ask the same"
+            "the saved search was for another bat, batter, wants, limits or seed, or by another version; begin anew or "
+            "ask the same"
         )
+    if not whole:
+        raise InputError("the saved search was changed since it was written; leave out --resume to begin anew")
     if numbers.ndim != 2 or numbers.shape[1] != len(bench.space.variables) or not np.all(np.isfinite(numbers)):
         raise InputError("the saved search holds no generation of bats; begin anew")
     return generation, numbers
@@ -173,6 +186,7 @@ def fingerprint(bench: Bench, question: DesignSearch) -> str:
         repr((batter.offset, batter.offset_spread, batter.bat_speed, batter.pitch_speed, batter.law)),
         bench.conditions.model_dump_json(),
         repr((question.wants, question.limits, question.seed, question.population)),
+        __version__,
     ]
     return hashlib.blake2b("\n".join(parts).encode(), digest_size=16).hexdigest()
 

@@ -325,3 +325,10 @@ def test_what_cannot_be_drawn() -> None:
 
 def test_a_line_is_a_line() -> None:
     assert line((0, 0), (1, 1)).points(1e-9).tolist() == [[0, 0], [1, 1]]
+
+
+@pytest.mark.parametrize("ending", ["dxf", "stl", "step", "svg"])
+def test_one_bat_is_one_file(ending: str) -> None:
+    """Exact: no time and no random key in it, so that a search that was killed and went on leaves the same bytes."""
+    bat = catalog.bat("mlb-a")
+    assert drawing_bytes(bat, Path(f"a.{ending}")) == drawing_bytes(bat, Path(f"a.{ending}"))

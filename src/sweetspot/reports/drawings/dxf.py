@@ -19,8 +19,10 @@ APART, TEXT = 25.0, 4.0
 def dxf_bytes(sheet: Sheet) -> bytes:
     """Return a sheet 1 : 1 in mm: the first view's axis is y = 0 and x = 0 its butt end; other views lie below."""
     from ezdxf import units
+    from ezdxf._options import options
     from ezdxf.filemanagement import new
 
+    options.write_fixed_meta_data_for_testing = True  # no time and no random key: one bat is one file, byte for byte
     drawing = new("R2010", units=units.MM)
     drawing.header["$MEASUREMENT"] = 1
     for name, colour in COLOURS.items():
