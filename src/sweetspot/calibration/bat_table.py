@@ -1,7 +1,8 @@
 """Tables and folders of bats of one model: a row or file a bat, with what scale, string, tap and moisture meter say.
 
 ``name, mass_oz, balance_point_in, pendulum_s, bending_1_hz, bending_2_hz, moisture_percent``: every column but the name
-may be missing, every cell may be blank, and may have its own error: ``31.20±0.05``; without it the last digit counts.
+may be missing, every cell may be blank, and may have its own error: ``31.20±0.05``; without it the last digit counts,
+and no less than the usual instrument's error (`FLOORS`). A row with a cell that cannot be read is left out.
 Headings may be written as people do, ``Weight (oz)``.
 
 Where the moisture is given, what was measured is brought to 12 %; see `at_usual_moisture`. A bat without one, among
@@ -20,7 +21,7 @@ from typing import cast
 
 import numpy as np
 
-from sweetspot.calibration.measured import Measured, parse_measured
+from sweetspot.calibration.measured import SEPARATOR, Measured, parse_measured
 from sweetspot.calibration.measurements import MeasuredKind, Measurement, of_swing_weight
 from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.catalog.files.bat import read_toml
@@ -90,6 +91,11 @@ HINT = "name, mass_oz, balance_point_in, pendulum_s, bending_1_hz, moisture_perc
 THOUSANDS = re.compile(r"\d,\d{3}(?!\d)")
 MOISTURE_UNKNOWN = 0.015
 """One sigma of the moisture of a bat that was kept with others but not measured (assumed)."""
+FLOORS: Mapping[str, float] = {"mass": 1e-3, "balance_point": 5e-4, "pendulum": 2e-3, "bending": 0.3, "hoop": 0.3}
+"""One sigma of a cell without its own ±, at least (assumed): kitchen scale in kg, edge in m, stopwatch over twenty
+swings in s, microphone in Hz. More digits, as a mean has, do not make an instrument better."""
+FEWEST_BATS = 2
+"""That must be left, where others are left out for a cell that cannot be read."""
 MOST_BATS = 200
 MOST_FAULTS = 8
 """Faults of a table that a message lists."""
@@ -116,6 +122,7 @@ def read_bats(
         raise InputError(f"{path} has {len(rows) - 1} bats; allowed are {MOST_BATS}")
     bats: dict[str, dict[str, Measured]] = {}
     faults: list[str] = []
+    unread: dict[str, list[str]] = {}
     for line, (_, cells) in enumerate(rows[1:], start=2):
         texts = {
             name: cells[column.index].strip()
@@ -132,21 +139,34 @@ def read_bats(
             try:
                 bats[name][quantity] = _value(cell, headings.columns[quantity], f"line {line}")
             except InputError as error:
-                faults.append(str(error))
+                unread.setdefault(name, []).append(str(error))
         if swung is not None:
             what = f"line {line}, swing weight"
             try:
                 measurement = of_swing_weight(swung, sport, mass=bats[name].get("mass"), what=what)
             except InputError as error:
-                faults.append(str(error))
+                unread.setdefault(name, []).append(str(error))
                 continue
             if bats[name].setdefault(measurement.kind, measurement.value) is not measurement.value:
                 faults.append(f"{what} tells the {measurement.name}, which was given too; give one of them")
         if not (swung or texts.keys() - {"moisture"}):
             faults.append(f"line {line}: nothing was measured on {name}; its columns may be {HINT}")
+    if bats.keys() - unread.keys() and len(bats) - len(unread) >= FEWEST_BATS and not faults:
+        bats = _without(bats, unread, path)
+    else:
+        faults += [fault for several in unread.values() for fault in several]
     refuse_faults(faults[:MOST_FAULTS] + ["…"] * (len(faults) > MOST_FAULTS), str(path))
     usual = _usual_moisture(bats, path)
     return {name: _measurements(values, usual, axis) for name, values in bats.items()}
+
+
+def _without(
+    bats: dict[str, dict[str, Measured]], unread: Mapping[str, Sequence[str]], path: Path
+) -> dict[str, dict[str, Measured]]:
+    """Return bats without those that have a cell that cannot be read, with a warning for each."""
+    for name, faults in unread.items():
+        warnings.warn(f"{path}: {name} is left out: {'; '.join(faults)}", UnusualWarning, stacklevel=3)
+    return {name: values for name, values in bats.items() if name not in unread}
 
 
 def _headings(
@@ -200,8 +220,12 @@ def _value(cell: str, column: TableColumn, what: str) -> Measured:
         raise InputError(
             f"{what}, {name}: {cell!r} was given; write thousands without a comma, or decimals after a point"
         )
+    if not any(letter.isdigit() for letter in cell):
+        raise InputError(f"{what}, {name}: {cell!r} is no number; leave the cell blank where nothing was measured")
     written = with_unit(cell, column)
     value = parse_measured(written, cast("Kind", column.kind), f"{what}, {name}")
+    if not SEPARATOR.search(cell):
+        value = Measured(value.value, max(value.error, FLOORS.get(name.rstrip("_0123456789"), 0.0)))
     check(value.value, {"pendulum": "period"}.get(name, name), f"{written} ({what})")
     if name == "moisture" and not MOISTURES[0] <= value.value <= MOISTURES[1]:
         low, high = (100 * share for share in MOISTURES)
