@@ -29,7 +29,8 @@ def test_a_design_with_its_files(run: Run, tmp_path: Path, monkeypatch: pytest.M
     assert "should not use it" in text
     assert {path.name for path in out.iterdir()} == {
         "design.html", "design.json", "design.png", "design.svg", "search.json", "designed-bat.toml",
-        "designed-bat.svg", "designed-bat.dxf", "designed-bat.csv",
+        "designed-bat.svg", "designed-bat.dxf", "designed-bat.csv", "designed-bat.lathe.csv", "designed-bat.pdf",
+        "designed-bat.stl", "designed-bat.step",
     }  # fmt: skip
     answer = json.loads((out / "design.json").read_text(encoding="utf-8"))
     bat = read_bat(out / "designed-bat.toml")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
@@ -189,10 +189,16 @@ class DesignAnswer(Answer):
         return polars.DataFrame(to_dict(self.front, units))
 
 
-def design_answer(question: DesignQuestion, *, progress: Progress | None = None) -> DesignAnswer:
+def design_answer(
+    question: DesignQuestion,
+    *,
+    progress: Progress | None = None,
+    first: Callable[[Designed], None] | None = None,
+) -> DesignAnswer:
     """Return a bat shaped for a batter, and the front that it was picked from; Ctrl-C ends the search earlier.
 
-    ``progress``: called with the progress of the search.
+    ``progress``: called with the progress of the search. ``first``: called as soon as the best bat in the first want is
+    there, seconds after the beginning, with that bat alone, before any rule or bent handle is looked at.
 
     Raises
     ------
@@ -200,7 +206,7 @@ def design_answer(question: DesignQuestion, *, progress: Progress | None = None)
         for limits that exclude each other, an implement of which nothing can be changed, or a bat that the front has
         not.
     """
-    every = all_searched(question, progress)
+    every = all_searched(question, progress, first)
     best = [(bench, search, front) for bench, search, front in every if front is not None]
     bench, search, front = best[best_of([front for _, _, front in best], question.wants[0])]
     materials = [

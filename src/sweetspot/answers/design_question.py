@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -108,8 +108,13 @@ class Designed:
         return float(self.front.measured.values[measure][self.picked])
 
 
-def all_searched(question: DesignQuestion, progress: Progress | None = None) -> list[Searched]:
-    """Return the front of every material; None where no bat of it keeps every limit, unless that is so of all."""
+def all_searched(
+    question: DesignQuestion, progress: Progress | None = None, first: Callable[[Designed], None] | None = None
+) -> list[Searched]:
+    """Return the front of every material; None where no bat of it keeps every limit, unless that is so of all.
+
+    ``first``: see `sweetspot.answers.design.design_answer`.
+    """
     materials: Sequence[Material | None] = question.materials or (None,)
     if question.resume is not None and len(materials) > 1:
         raise InputError(f"resume goes on with one material, and {len(materials)} were given; give the one it was of")
@@ -118,7 +123,7 @@ def all_searched(question: DesignQuestion, progress: Progress | None = None) -> 
     faults = []
     for bench, search in searches:
         try:
-            found.append((bench, search, _front(question, bench, search, progress)))
+            found.append((bench, search, _front(question, bench, search, progress, first)))
         except InputError as fault:
             found.append((bench, search, None))
             faults.append(fault)
@@ -135,7 +140,14 @@ def _search(question: DesignQuestion, material: Material | None) -> tuple[Bench,
     return bench, DesignSearch(question.wants, limits, question.seed, question.population, question.generations)
 
 
-def _front(question: DesignQuestion, bench: Bench, search: DesignSearch, progress: Progress | None) -> Front:
+def _front(
+    question: DesignQuestion,
+    bench: Bench,
+    search: DesignSearch,
+    progress: Progress | None,
+    first: Callable[[Designed], None] | None,
+) -> Front:
+    waiting = [] if first is None else [first]
     after = None
     if question.resume is not None:
         text = read_text(question.resume, most=50_000_000, advice="give the search.json of an earlier --out")
@@ -144,10 +156,20 @@ def _front(question: DesignQuestion, bench: Bench, search: DesignSearch, progres
     with (progress or (lambda _: nullcontext()))("designing") as report:
 
         def grown(generation: int, front: Front) -> None:
+            if len(front) and waiting:
+                waiting.pop()(_first_design(bench, search, front))
             if report is not None:
                 report(generation * every, search.generations * every, _so_far(front))
 
         return design_front(bench, search, after=after, progress=grown)
+
+
+def _first_design(bench: Bench, search: DesignSearch, front: Front) -> Designed:
+    """Return the best of a front in the first want, with its gain and nothing else."""
+    row, now = 0, present_measured(bench)
+    bat = bench.space.made(front.numbers[row], f"{bench.space.present.name}, designed")
+    gain = gain_of(bench, front.numbers[row], front.measured.rows([row]), now)
+    return Designed(bench, search, front, row, now, gain, bat, (), None)
 
 
 def _so_far(front: Front) -> str:

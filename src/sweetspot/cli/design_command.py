@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
@@ -25,6 +26,9 @@ from sweetspot.cli.options.reading import given, refuse_unused
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 from sweetspot.errors import InputError
 
+if TYPE_CHECKING:
+    from sweetspot.answers.design_question import Designed
+
 Want = Literal["exit-speed", "zone", "best", "sting", "swing-time", "durability"]
 
 
@@ -38,7 +42,7 @@ class SearchOptions:
     ] = 1
     seed: Annotated[int, Parameter(help="Of the random numbers; the same seed gives the same front.")] = 1
     population: Annotated[int, Parameter(help="Bats of a generation.")] = 48
-    generations: Annotated[int, Parameter(help="Generations to look at; Ctrl-C ends earlier and keeps the front.")] = 30
+    generations: Annotated[int, Parameter(help="Generations to look at; Ctrl-C ends earlier and keeps the front.")] = 8
     resume: Annotated[Path | None, Parameter(help="search.json of an earlier --out, to go on from.")] = None
 
     def __post_init__(self) -> None:
@@ -78,10 +82,12 @@ def design(
     from sweetspot import catalog
     from sweetspot.answers.design import design_answer
     from sweetspot.answers.design_question import DesignQuestion
+    from sweetspot.catalog.sports import sport
     from sweetspot.cli.options.batter import batter_of
     from sweetspot.cli.options.swing import conditions_for
     from sweetspot.cli.output import present, progress
     from sweetspot.reports.design.document import design_document
+    from sweetspot.reports.quantities import reader
 
     present_bat = catalog.load_implement(bat)
     refuse_unused(given(swing, "same_speed"), "a bat that was changed", "ask report, hit or play of it")
@@ -104,4 +110,12 @@ def design(
         generations=search.generations,
         resume=search.resume,
     )
-    return present(design_document(design_answer(question, progress=progress)), output)
+
+    def first(design: Designed) -> None:
+        from sweetspot.reports.design.words import first_words
+        from sweetspot.reports.sentences import read
+
+        words = first_words(design)
+        print(f"sweetspot: {read(words, reader(output.units, sport(present_bat.sport).words))}", file=sys.stderr)
+
+    return present(design_document(design_answer(question, progress=progress, first=first)), output)

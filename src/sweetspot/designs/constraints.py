@@ -38,8 +38,9 @@ STEP = 1e-4
 """Part of a variable's range by which it is moved for a slope."""
 PULLED = 1e-3
 """Weight with which the pulled number itself may change, beside 1 for the others."""
-WITHIN = 0.01
-"""Part of a value by which what is kept may still differ."""
+WITHIN = 0.001
+"""Part of a value by which what is kept may still differ [our choice]: less than a scale tells, so that no gain comes
+from a heavier or lighter bat."""
 GRIP_WITHIN = 0.002
 """The same for the grip, which hands know better."""
 AS_IT_IS = "kept as it is"

@@ -18,7 +18,7 @@ from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.whole_files import digest
 
-POPULATION, GENERATIONS = 48, 30
+POPULATION, GENERATIONS = 48, 8
 NEAR_START = 0.25
 """Part of every range within which the first bats lie around the present one."""
 

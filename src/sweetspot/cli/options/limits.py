@@ -41,8 +41,7 @@ class LimitOptions:
         list[Kept] | None,
         Parameter(
             negative="",
-            help="What stays within 1 % of the present bat's; may be given again. Default: mass, moi and wood: its "
-            "density.",
+            help="What stays as it is, within 0.1 %; may be given again. Default: mass, moi and wood: its density.",
         ),
     ] = None
     mass: Annotated[str | None, Parameter(help="Band instead of --keep mass: 30oz:31.5oz, or 30oz: for at least.")] = (

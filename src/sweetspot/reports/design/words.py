@@ -13,7 +13,9 @@ from sweetspot.designs.batter import FROM_TIP
 from sweetspot.designs.constraints import AS_IT_IS, Limit
 from sweetspot.designs.gain import SHIPMENT, TOWARDS_END, TURNED_ALIKE, Gain, GainVerdict
 from sweetspot.designs.measures import MEASURES
+from sweetspot.designs.turned import HANDLES, TurnedSpace
 from sweetspot.designs.variables import DENSITY_SPREAD, MODULUS_SPREAD
+from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.reports.certification.limits_shown import unsure_words
 from sweetspot.reports.sentences import Sentence, Slot, joined, say, with_doubt
@@ -76,28 +78,92 @@ def limit_words(limit: Limit, value: float, *, beyond: float | None) -> Sentence
 def gain_words(design: Designed) -> list[Sentence]:
     """Return the changes of a design, their worth to this batter, who should not use it, and how it is swung."""
     words = [*unbounded_words(design), moved_words(design), worth_words(design), warning_words(design)]
-    return [*words, *wall_words(design), effort_words(design)]
+    return [*words, *wall_words(design), *outline_words(design), effort_words(design)]
 
 
 def moved_words(design: Designed) -> Sentence:
     """Return the shift of the best place, then the zone's width, and last the change of the greatest exit speed."""
     gain = design.gain
     if abs(gain.shift) < STILL:
-        place = say("The best place stays where it is")
+        place = say("The best place stays where it is, {place:place} from the tip", place=design.value("best_from_tip"))
     else:
         way = "towards the hands" if gain.shift > 0 else "towards the tip"
-        place = say("The best place moves {shift:length} {way}", shift=abs(gain.shift), way=way)
+        place = say(
+            "The best place moves {shift:length} {way}, to {place:place} from the tip",
+            shift=abs(gain.shift),
+            way=way,
+            place=design.value("best_from_tip"),
+        )
     zone = say(
-        ", to {place:place} from the tip; the zone within {near:speed, round} of the best is {width:place} wide, "
-        "{wider:length} {more}.",
+        "; the zone within {near:speed, round} of the best is {width:place} wide, {wider:length} {more}.",
         near=ZONE_LOSS,
-        place=design.value("best_from_tip"),
         width=design.value("zone"),
         wider=abs(gain.wider),
         more="wider" if gain.wider >= 0 else "narrower",
     )
     top = say(" The greatest exit speed changes by {change:speed_change, sign}.", change=gain.greatest)
-    return place + zone + top
+    return joined([place + zone + top, *_unmet(design)])
+
+
+FAR = 1 * INCH
+"""m by which the best place may miss the contacts before it is said (assumed: twice what is known of places)."""
+
+
+def _unmet(design: Designed) -> list[Sentence]:
+    """Return that the best place cannot come to where this batter meets the ball; nothing where it is near."""
+    contact, best = design.bench.batter.mean_contact, design.value("best_from_tip")
+    if abs(contact - best) < FAR:
+        return []
+    return [
+        say(
+            "It can't come to your contacts within these limits: it stays {short:length} short of them.",
+            short=abs(contact - best),
+        )
+    ]
+
+
+def first_words(design: Designed) -> Sentence:
+    """Return the worth and the change of the first bat that a search finds, in one line."""
+    return joined(
+        [
+            say(
+                "first answer: the ball leaves {gain}, give or take {doubt:speed_change} (90 %), {verdict}; the best "
+                "place is {place:place} from the tip.",
+                gain=_faster(design.gain.expected),
+                doubt=design.gain.doubt,
+                verdict=design.gain.verdict.value,
+                place=design.value("best_from_tip"),
+            ),
+            *wall_words(design),
+            *outline_words(design),
+            say("The front follows."),
+        ]
+    )
+
+
+LEAST = 0.01 * INCH
+"""m by which a diameter has to change to be named: a lathe's tolerance."""
+
+
+def outline_words(design: Designed) -> list[Sentence]:
+    """Return the greatest changes of a turned bat's outline, and of its cup; nothing for other implements."""
+    space, present = design.bench.space, design.bench.space.present
+    if not isinstance(space, TurnedSpace) or not isinstance(present, Bat) or not isinstance(design.bat, Bat):
+        return []
+    apart = design.numbers[: len(HANDLES)] - space.start[: len(HANDLES)]
+    places = (1 - HANDLES) * design.bat.length
+    changes = [
+        say("{size:length} {way} {place:place} from the tip", size=abs(by), way=way, place=float(places[index]))
+        for way, index, by in (
+            ("thicker", int(np.argmax(apart)), float(apart.max())),
+            ("thinner", int(np.argmin(apart)), float(apart.min())),
+        )
+        if abs(by) >= LEAST and (by > 0) == (way == "thicker")
+    ]
+    cups = [0.0 if bat.cup is None else bat.cup.depth for bat in (present, design.bat)]
+    if abs(cups[1] - cups[0]) >= LEAST:
+        changes.append(say("a cup {depth:length} deep instead of {before:length}", depth=cups[1], before=cups[0]))
+    return [say("What changes most: {changes}.", changes=joined(changes, ", "))] if changes else []
 
 
 def worth_words(design: Designed) -> Sentence:
@@ -303,20 +369,26 @@ def wall_words(design: Designed) -> list[Sentence]:
     return [say("What to change: {changes}. The outside stays as it is.", changes=joined(changes, "; "))]
 
 
+BALL_GAMES = ("baseball", "youth-baseball", "softball", "slow-pitch")
+"""Sports of players such as the law of swings was measured on."""
+
+
 def effort_words(design: Designed) -> Sentence:
     """Return the effect of the design on the swing."""
     gain, law = design.gain, design.bench.batter.law
     if law is None:
         return say("All are swung at the same speed.")
+    played = design.bench.space.present.sport
     low, high = sorted(_time(design, exponent) for exponent in (law.exponents.low, law.exponents.high))
     return say(
         "Time to contact changes by {time:contact, 2, sign} ({low:contact, 2, sign, bare} to {high:contact, 2, sign}) "
-        "of {whole:contact, 0}, by the law of {law}.",
+        "of {whole:contact, 0}, by the law of {law}{borrowed}.",
         time=gain.time,
         low=low,
         high=high,
         whole=_swing_time(),
         law=law.name,
+        borrowed="" if played in BALL_GAMES else f": none is known for {sport(played).name.lower()}",
     )
 
 
