@@ -63,7 +63,7 @@ def main(wanted: list[str]) -> None:
             if wanted and name not in wanted:
                 continue
             context = browser.new_context(viewport={"width": width, "height": height}, reduced_motion="reduce")
-            context.add_init_script(f"localStorage.setItem('guided', 'yes'); localStorage.setItem('theme', '{theme}')")
+            context.add_init_script(f"localStorage.setItem('theme', '{theme}')")
             page = context.new_page()
             page.goto(address + path)
             page.locator("#view[data-answered]").wait_for()

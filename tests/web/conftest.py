@@ -145,7 +145,6 @@ def visitor(browser: Browser, server: str) -> Iterator[BrowserContext]:
     """One visitor's browser, 1280 by 900, who has been here before; leaves before the server stops."""
     context = browser.new_context(viewport=SIZE)
     context.set_default_timeout(PRESSED)
-    context.add_init_script("localStorage.setItem('guided', 'yes')")
     yield context
     context.close()
 

@@ -60,7 +60,6 @@ def test_fingers_zoom_and_scroll_without_moving_the_ball(
     browser: Browser, server: str, settled: Wait, repainted: Repainted, in_view: Callable[[Page, str, str], Any]
 ) -> None:
     context = browser.new_context(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
-    context.add_init_script("localStorage.setItem('guided', 'yes')")
     page = context.new_page()
     page.goto(f"{server}/explorer")
     settled(page)

@@ -13,7 +13,7 @@ from playwright.sync_api import Page, Route, expect
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
-from tests.web.parts import Answered, Wait, picture
+from tests.web.parts import Answered, Wait, choose, picture
 
 VIEW = "compare"
 
@@ -119,7 +119,7 @@ def test_corking_and_another_wall(opened: Page, answered: Answered) -> None:
     assert opened.locator("#verdict").inner_text() != before
     opened.get_by_label("Compare", exact=True).select_option("wall")
     expect(opened.locator("[data-field=what_if] .fault")).to_contain_text("solid and has no wall")
-    opened.locator("[data-field=bat] select").first.select_option("russell-b6")
+    choose(opened, "russell-b6")
     answered(opened, count)
     expect(opened.locator("#verdict")).to_contain_text("thinner wall is the livelier one")
 
@@ -151,7 +151,7 @@ def test_rules_of_a_league(opened: Page, answered: Answered) -> None:
 
 def test_units_and_phone(opened: Page, narrow: Wait) -> None:
     opened.get_by_label("Compare", exact=True).select_option("cork")
-    opened.get_by_role("radio", name="SI").check()
+    opened.get_by_role("radio", name="SI", exact=True).check()
     expect(opened.locator("#verdict")).to_contain_text("m/s")
     expect(opened.locator("#verdict")).to_contain_text("Does corking help?")
     assert "mph" not in opened.locator("#view").inner_text()

@@ -7,7 +7,7 @@ from typing import Any
 
 from playwright.sync_api import Page, expect
 
-from tests.web.parts import Answered, Wait
+from tests.web.parts import Answered, Wait, visit
 
 
 def test_a_handle_is_pulled_by_hand_and_by_keyboard(page: Page, server: str, answered: Answered, settled: Wait) -> None:
@@ -61,5 +61,5 @@ def test_the_search_grows_a_front_and_a_bat_is_taken(page: Page, server: str, an
     assert taken.value.suggested_filename == "designed-bat.svg"
     page.get_by_role("button", name="Put it on the bench").click()
     expect(page.locator("#bench-chip")).to_contain_text("designed")
-    page.get_by_role("link", name="Explorer", exact=True).click()
+    visit(page, "explorer")
     expect(page.locator("#verdict")).to_contain_text("designed hits fastest")

@@ -13,12 +13,12 @@ import re
 import pytest
 from playwright.sync_api import Page, expect
 
-from sweetspot.web.views import VIEWS
+from sweetspot.web.views import GROUP_OF, VIEWS
 from tests.web.parts import Until, Wait
 from tests.web.test_page_access import check
 from tests.web.test_page_screens import OPEN, OUTSIDE
 
-WITHOUT_CHARTS = ("modes", "own", "season")
+WITHOUT_CHARTS = ("start", "modes", "own", "season")
 """Views without charts of curves, maps or points at once: the modes stand in a table anyway, a season is read first."""
 ADDRESSES = {"hit": "hit?bat=single-wall", "modes": "modes?bat=single-wall&family=hoop"}
 """Of views that show most of a hollow bat; others open as they are."""
@@ -36,7 +36,8 @@ def test_every_view(page: Page, server: str, settled: Wait, narrow: Wait, until:
     settled(page)
     assert address in asked and from_elsewhere(asked, server) == []
     expect(page).to_have_title(re.compile(re.escape(VIEWS[name].title)))
-    expect(page.locator("#views [aria-current=page]")).to_have_text(VIEWS[name].title)
+    here = page.locator(":is(.brand, #views a)[aria-current=page]")
+    expect(here).to_have_text(VIEWS[name].title if name in GROUP_OF else "sweetspot")
     expect(page.locator("#fault")).to_be_hidden()
     page.emulate_media(reduced_motion="reduce")
     reached_in_order_and_seen(page)
@@ -46,7 +47,8 @@ def test_every_view(page: Page, server: str, settled: Wait, narrow: Wait, until:
     page.set_viewport_size({"width": 1280, "height": 900})
     named_and_seen(page)
     page.emulate_media(forced_colors="active", reduced_motion="reduce")
-    for chosen in ("#views [aria-current=page]", "#tools .switch input:checked + span"):
+    bar = ("#groups [aria-current]", "#views [aria-current=page]") if name in GROUP_OF else ()
+    for chosen in (*bar, "#tools .switch input:checked + span"):
         assert set(page.evaluate(MARKED, chosen)) == {"solid"}, chosen
     page.evaluate(OPEN)
     for width, height in ZOOMED:

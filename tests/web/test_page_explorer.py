@@ -11,7 +11,7 @@ from playwright.sync_api import Page, expect
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
-from tests.web.parts import Answered, Until, Wait, moved, number, picture, written
+from tests.web.parts import Answered, Until, Wait, bench, choose, moved, number, picture, written
 
 VIEW = "explorer"
 
@@ -33,7 +33,7 @@ def test_a_swing_weight_says_how_sure_it_is(opened: Page, answered: Answered) ->
     fact = opened.locator(".facts div:has(:text-is('Swing weight')) dd")
     expect(fact).to_have_text(re.compile(r"^10,300\s±\s1000\soz\sin²$"))
     count = answered(opened)
-    opened.locator("[data-field=bat] select").first.select_option("russell-b6")
+    choose(opened, "russell-b6")
     answered(opened, count)
     expect(fact).to_have_text(re.compile(r"^9590\soz\sin²$"))
 
@@ -113,10 +113,10 @@ def test_the_map_and_the_curves_can_be_pressed_too(
 
 def test_a_bat_of_the_catalogue(opened: Page, answered: Answered) -> None:
     count = answered(opened)
-    opened.get_by_label("Bat", exact=True).select_option("single-wall")
+    choose(opened, "single-wall")
     answered(opened, count)
     expect(opened.locator("#verdict")).to_contain_text("Single-wall aluminium")
-    opened.locator("summary", has_text="Workshop").click()
+    bench(opened).locator("summary", has_text="Workshop").click()
     expect(opened.get_by_role("slider", name="Wall thickness")).to_be_visible()
     expect(opened.get_by_role("slider", name="Hole in the barrel")).to_be_hidden()
     before = number(opened, "BBCOR in play")
@@ -127,9 +127,8 @@ def test_a_bat_of_the_catalogue(opened: Page, answered: Answered) -> None:
 def test_an_uploaded_bat(opened: Page, answered: Answered, tmp_path: Path) -> None:
     own = catalog.bat("youth-30").replaced(name="My bat")
     (tmp_path / "my.toml").write_text(bat_toml(own), encoding="utf-8")
-    opened.locator("summary", has_text="Your own bat").click()
     count = answered(opened)
-    opened.get_by_label("Bat file (TOML)").set_input_files(tmp_path / "my.toml")
+    bench(opened).locator("#any-file").set_input_files(tmp_path / "my.toml")
     answered(opened, count)
     expect(opened.locator("#verdict")).to_contain_text("My bat hits fastest")
     opened.reload()
@@ -160,9 +159,8 @@ def test_a_ball_of_ones_own(opened: Page, answered: Answered, tmp_path: Path) ->
 def test_a_bat_too_long_for_an_address_is_kept_by_the_browser(opened: Page, answered: Answered, tmp_path: Path) -> None:
     own = catalog.bat("youth-30").replaced(name="Long bat")
     (tmp_path / "long.toml").write_text("# " + "many words " * 1600 + "\n" + bat_toml(own), encoding="utf-8")
-    opened.locator("summary", has_text="Your own bat").click()
     count = answered(opened)
-    opened.get_by_label("Bat file (TOML)").set_input_files(tmp_path / "long.toml")
+    bench(opened).locator("#any-file").set_input_files(tmp_path / "long.toml")
     answered(opened, count)
     assert len(opened.url) < 1000
     opened.reload()
@@ -187,19 +185,22 @@ def test_a_dropped_bat(opened: Page, answered: Answered) -> None:
     expect(opened.locator("#verdict")).to_contain_text("Dropped")
 
 
-def test_a_wrong_file_is_explained_beside_the_field(opened: Page, answered: Answered, tmp_path: Path) -> None:
-    opened.locator("summary", has_text="Your own bat").click()
-    for content, words in (("name = 'x'\nlength = '33 in'", "material is missing"), ("#" * 30_000, "at most 20000")):
+def test_a_wrong_file_is_explained_by_its_name(opened: Page, answered: Answered, tmp_path: Path) -> None:
+    for content, words in (
+        ("name = 'x'\nlength = '33 in'", "material is missing"),
+        ("#" * 30_000, "wrong.toml is larger than 0.02 MB"),
+    ):
         (tmp_path / "wrong.toml").write_text(content, encoding="utf-8")
-        opened.get_by_label("Bat file (TOML)").set_input_files(tmp_path / "wrong.toml")
-        expect(opened.locator("#bat-fault")).to_contain_text(words)
+        bench(opened).locator("#any-file").set_input_files(tmp_path / "wrong.toml")
+        expect(opened.locator("dialog")).to_contain_text(words)
+        opened.locator("dialog").get_by_role("button", name="Close").click()
     assert number(opened, "Exit speed") > 100  # the last good picture stays
 
 
 def test_drawing_the_outline(opened: Page, answered: Answered, settled: Wait) -> None:
     before, count = number(opened, "Weight"), answered(opened)
     opened.get_by_role("button", name="Whole bat").click()
-    opened.locator("summary", has_text="Draw the outline").click()
+    bench(opened).locator("summary", has_text="Draw the outline").click()
     expect(opened.locator(".stations tbody tr").first).to_be_visible()  # the page hears of an opened box a task later
     settled(opened)
     station = catalog.bat().profile[9]  # type: ignore[index]

@@ -123,11 +123,12 @@ def test_from_the_swing(opened: Page, answered: Answered) -> None:
 
 
 def test_units_phone_and_lines(opened: Page, narrow: Wait) -> None:
-    opened.get_by_role("radio", name="SI").check()
+    opened.get_by_role("radio", name="SI", exact=True).check()
     expect(opened.locator("#verdict")).to_contain_text(" m ")
     text = opened.locator("#view").inner_text()
     assert "mph" not in text and " ft" not in text
     narrow(opened)
+    opened.get_by_role("button", name="Menu").click()
     opened.get_by_role("button", name="Export").click()
     expect(opened.locator("dialog pre").first).to_contain_text("sweetspot fly --exit-speed 98mph")
     with opened.expect_download() as saved:

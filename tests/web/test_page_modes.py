@@ -7,7 +7,7 @@ from pathlib import Path
 
 from playwright.sync_api import Page, expect
 
-from tests.web.parts import Answered, Repainted, Until, Wait
+from tests.web.parts import Answered, Repainted, Until, Wait, choose
 
 
 def picture(page: Page) -> str:
@@ -81,7 +81,7 @@ def test_a_hollow_bat_has_hoop_motions_and_a_solid_one_has_not(still: Page, serv
     still.goto(f"{server}/modes")
     drawn = answered(still)
     expect(still.get_by_label("Hoop 2.1", exact=True)).to_have_count(0)
-    still.get_by_label("Bat", exact=True).select_option("single-wall")
+    choose(still, "single-wall")
     drawn = answered(still, drawn)
     still.get_by_role("button", name="more, which are hardly woken").click()
     still.get_by_label("Hoop 2.2", exact=True).check()

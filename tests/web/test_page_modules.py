@@ -323,7 +323,7 @@ def test_a_bat_by_questions_and_what_words_mean(page: Page, server: str, answere
     page.goto(f"{server}/explorer")
     count = answered(page)
     page.locator("#bench-chip").click()
-    page.get_by_role("button", name="Describe another bat").click()
+    page.get_by_role("button", name="Describe yours").click()
     page.get_by_label("Name", exact=True).fill("Grandfather's")
     page.get_by_label("Weight", exact=True).fill("15")
     page.get_by_role("button", name="Put it on the bench").click()
@@ -346,7 +346,7 @@ def test_words_keep_their_meanings_when_a_view_is_drawn_anew(page: Page, server:
     before = page.locator("th .term").all_text_contents()
     assert "Swing weight" in before
     acts: tuple[Callable[[], None], ...] = (
-        lambda: page.get_by_role("radio", name="SI").check(force=True),
+        lambda: page.get_by_role("radio", name="SI", exact=True).check(force=True),
         lambda: page.set_viewport_size({"width": 900, "height": 900}),
     )
     for act in acts:

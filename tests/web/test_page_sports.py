@@ -10,7 +10,7 @@ from sweetspot.web.views.flight import FlownBall, fences
 from sweetspot.web.views.flight import answer as flight
 from sweetspot.web.views.flight_state import FlightState
 from sweetspot.web.views.optimum import OptimumState, recipe
-from tests.web.parts import Answered
+from tests.web.parts import Answered, visit
 
 
 @pytest.mark.parametrize(
@@ -54,5 +54,5 @@ def test_a_racket_is_named_over_its_view_and_the_bat_over_others(page: Page, ser
     page.goto(f"{server}/sports")
     answered(page)
     expect(page.locator("#bench-chip")).to_have_text(catalog.implement("tennis-racket").name)
-    page.get_by_role("link", name="Explorer").click()
+    visit(page, "explorer")
     expect(page.locator("#bench-chip")).to_contain_text(catalog.bat("r161-ash").name)

@@ -10,7 +10,7 @@ from playwright.sync_api import Page, expect
 from sweetspot.units import INCH
 from sweetspot.web.controls import BatState
 from sweetspot.web.views.explorer_curves import Publication, published
-from tests.web.parts import Answered
+from tests.web.parts import Answered, choose
 
 LENGTH = 0.84
 
@@ -47,8 +47,8 @@ def test_the_page_lists_what_its_diamonds_are(page: Page, server: str, answered:
     count = answered(page)
     page.locator("summary", has_text="What was published of this bat").click()
     expect(page.get_by_text("Cross 1998: barrel node of mode 1: 6.5 in from the tip")).to_be_visible()
-    page.get_by_role("radio", name="SI").check()
+    page.get_by_role("radio", name="SI", exact=True).check()
     expect(page.get_by_text("Cross 1998: barrel node of mode 1: 16.5 cm from the tip")).to_be_visible()
-    page.locator("[data-field=bat] select").select_option("composite")
+    choose(page, "composite")
     answered(page, count)
     expect(page.locator("summary", has_text="What was published of this bat")).to_be_hidden()

@@ -16,7 +16,7 @@ from sweetspot.units import MPH
 from sweetspot.web.views import VIEWS, compare, explorer, flight
 from sweetspot.web.views.compare_state import CompareState
 from sweetspot.web.views.flight_state import FlightState
-from tests.web.parts import Answered
+from tests.web.parts import Answered, visit
 
 CHANGES: list[dict[str, Any]] = [
     {"mass_oz": 36.0}, {"mass_oz": 28.0}, {"bore_diameter_in": 1.0}, {"cup_diameter_in": 1.2}, {"weight_oz": 2.0},
@@ -114,6 +114,6 @@ def test_choking_up_says_what_it_costs(page: Page, server: str, answered: Answer
     answered(page, count)
     expect(page.locator("#swung")).to_contain_text("at the same speed as before the change")
     assert re.search("same=speed", page.url)
-    page.get_by_role("link", name="Flight", exact=True).click()
+    visit(page, "flight")
     answered(page)
     assert re.search("same=speed", page.url)

@@ -19,7 +19,7 @@ from sweetspot.web.views.explorer import ExplorerState
 from sweetspot.web.views.explorer_curves import along
 from sweetspot.web.views.optimum import OptimumState
 from sweetspot.web.views.optimum import recipe as optimum_recipe
-from tests.web.parts import Answered
+from tests.web.parts import Answered, choose
 
 REPORTS = Path(__file__).parents[1] / "golden" / "answers"
 PITCH, BALL = "[data-field=pitch_speed_mph] input[type=number]", "[data-field=ball] select"
@@ -56,15 +56,15 @@ def test_choosing_a_bat_brings_its_sport_s_ball_and_pitch(page: Page, server: st
     page.goto(f"{server}/explorer")
     answered(page)
     expect(page.locator(PITCH)).to_have_value("90")
-    page.locator("[data-field=bat] select").select_option("youth-alloy")
+    choose(page, "youth-alloy")
     expect(page.locator(PITCH)).to_have_value("50")
-    page.locator("[data-field=bat] select").select_option("slow-pitch")
+    choose(page, "slow-pitch")
     expect(page.locator(BALL)).to_have_value(catalog.sport("slow-pitch").balls[0])
     assert "pitch_speed_mph" not in page.url and "ball=" not in page.url
     page.locator(PITCH).fill("40")
     page.locator(PITCH).press("Enter")
     expect(page).to_have_url(re.compile("pitch_speed_mph=40"))
-    page.locator("[data-field=bat] select").select_option("r161-ash")
+    choose(page, "r161-ash")
     expect(page.locator(BALL)).to_have_value("baseball")
     expect(page.locator(PITCH)).to_have_value("40")  # moved by hand: it stays
     page.locator("#undo").click()

@@ -36,6 +36,78 @@ def hits_fastest(name: str, from_tip: float, exit_speed: float, *, words: Terms)
     )
 
 
+def cost_of_misses(exit_speed: float, sides: Mapping[str, float], *, step: float, words: Terms) -> Sentence:
+    """Return an exit speed, m/s, and what a hit a step, m, further to each side loses of it, by the side's name.
+
+    >>> from sweetspot.equipment.sport import Terms
+    >>> print(cost_of_misses(28.4, {"hands": 3.1, "tip": -0.9}, step=0.0508, words=Terms()))
+    63.5 mph here; 2 in towards the hands costs 6.9 mph, 2 in towards the tip gains 2 mph.
+    """
+    parts = [
+        in_words(
+            "{step} towards the {side} {verb} {change}",
+            words,
+            step=Slot(step, "place", 0),
+            side=in_words(f"{{{side}}}", words),
+            change=Slot(abs(loss), "speed", round=True),
+            verb="costs" if loss >= 0 else "gains",
+        )
+        for side, loss in sides.items()
+    ]
+    here = in_words("{speed} here", words, speed=Slot(exit_speed, "speed"))
+    return say("{here}; {sides}.", here=here, sides=joined(parts, ", ")) if parts else say("{here}.", here=here)
+
+
+def brought_bat(*, length: float, widest: float, mass: float, material: str, guessed: int) -> list[Sentence]:
+    """Return the size of an outline, m, and what makes a bat of it, kg; guessed: ends that were not measured.
+
+    >>> bat = brought_bat(length=0.8636, widest=0.0635, mass=0.88, material="white ash", guessed=1)
+    >>> print(bat[0])
+    Read: 34.0 in long, 2.50 in at its widest.
+    """
+    read = say("Read: {length:place} long, {widest:length} at its widest.", length=length, widest=widest)
+    assumed = say(
+        "Assumed: turned of solid {material} of usual density, so that it weighs {mass:mass}; if you weighed it, "
+        "set its weight in the workshop.",
+        material=material,
+        mass=mass,
+    )
+    ends = say("No one measured the very {ends}: rounded as bats usually are.", ends="ends" if guessed > 1 else "end")
+    return [read, assumed, *([ends] if guessed else [])]
+
+
+def assumed_measures(
+    pattern: str,
+    *,
+    mass: float | None,
+    balance: float | None,
+    moi: float | None,
+    axis: float,
+    lively: bool,
+    words: Terms,
+) -> list[Sentence]:
+    """Return the properties that a description leaves open: kg, m from the butt and kg m^2; None: it was given.
+
+    >>> from sweetspot.equipment.sport import Terms
+    >>> for line in assumed_measures("R161", mass=None, balance=0.56, moi=None, axis=0.15, lively=False, words=Terms()):
+    ...     print(line)
+    Its shape and what it is made of are those of R161, stretched to its length.
+    Balance point not measured: 22.0 in from the knob, as its shape has it.
+    """
+    lines = [say("Its shape and what it is made of are those of {pattern}, stretched to its length.", pattern=pattern)]
+    if mass is not None:
+        lines.append(say("Weight not given: {mass:mass}, in proportion.", mass=mass))
+    if balance is not None:
+        template = "Balance point not measured: {balance:place} from the {butt}, as its shape has it."
+        lines.append(in_words(template, words, balance=balance))
+    if moi is not None:
+        template = "Swing weight not measured: {moi:moi} about {axis:place} from the {butt}."
+        lines.append(in_words(template, words, moi=moi, axis=axis))
+    if lively:
+        lines.append(say("How lively its barrel is follows from its wall, which was not measured; a stamp is a limit."))
+    return lines
+
+
 def place_words(from_tip: float, *, words: Terms) -> Sentence:
     """Return the position of a place on an implement, m from the tip."""
     return in_words("{place:place} from the {tip}", words, place=from_tip)

@@ -19,10 +19,23 @@ from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.reports.quantity_table import quantity_data, words_in_both_systems
 from sweetspot.web.bats import bat_from_text
-from sweetspot.web.documents import in_one_system
+from sweetspot.web.documents import in_both_systems, in_one_system
 from sweetspot.web.errors import about
 from sweetspot.web.schemas import BatFacts, BatText, Choice, Described, Meaning, Tool
 from sweetspot.web.wizard import Form, Wanted, described_by, forms
+
+USES = (
+    "Youth baseball",
+    "Baseball, of wood",
+    "Baseball, of metal or composite",
+    "Fast-pitch softball",
+    "Slow-pitch softball",
+    "From studies",
+)
+"""Headings of the list of bats, in the order in which people look for theirs."""
+OF_SPORT = {"youth-baseball": USES[0], "softball": USES[3], "slow-pitch": USES[4]}
+STUDIED = ("corked-r161", "russell-", "textbook", "torpedo-designed", "torpedo-twin", "uniform-rod")
+"""Beginnings of the names of bats that no one buys: measured, modified or imagined in a study."""
 
 
 def catalogue_routes(api: APIRouter) -> None:
@@ -106,8 +119,8 @@ def _own_routes(api: APIRouter) -> None:
     @api.post("/describe", tags=["catalogue"])
     def describe(wanted: Wanted) -> Described:
         """Return the file of a bat, racket, club or stick from a few answers, or which answer cannot be."""
-        toml, changes = described_by(wanted)
-        return Described(toml=toml, told=in_one_system(changes))
+        toml, changes, assumed = described_by(wanted)
+        return Described(toml=toml, told=in_one_system(changes), assumed=in_both_systems(assumed))
 
     @api.post("/bat", tags=["catalogue"])
     def bat(text: BatText) -> BatFacts:
@@ -125,7 +138,8 @@ def load_lists() -> None:
 
 @cache
 def _bats() -> tuple[BatFacts, ...]:
-    return tuple(_facts(name, catalog.bat(name)) for name in catalog.bat_names())
+    every = (_facts(name, catalog.bat(name)) for name in catalog.bat_names())
+    return tuple(sorted(every, key=lambda bat: USES.index(bat.use)))
 
 
 @cache
@@ -137,4 +151,11 @@ def _implements() -> tuple[Tool, ...]:
 
 def _facts(key: str, bat: Bat) -> BatFacts:
     facts = to_dict(mass_properties(bat, rigid_body(beam_model(bat))))
-    return BatFacts(key=key, hollow=bat.shell is not None, sport=bat.sport, **facts)
+    return BatFacts(key=key, hollow=bat.shell is not None, sport=bat.sport, use=_use(key, bat), **facts)
+
+
+def _use(key: str, bat: Bat) -> str:
+    """Return the heading under which people look for a bat."""
+    if key.startswith(STUDIED):
+        return USES[5]
+    return OF_SPORT.get(bat.sport, USES[1] if bat.shell is None else USES[2])

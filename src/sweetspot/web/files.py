@@ -12,7 +12,7 @@ from sweetspot import __version__
 from sweetspot.reports.quantity_table import quantity_data
 from sweetspot.web.controls import CARRIED
 from sweetspot.web.page_modules import FOLDER, without_comments
-from sweetspot.web.views import VIEWS
+from sweetspot.web.views import GROUP_OF, VIEWS
 
 TYPES = {
     ".html": "text/html; charset=utf-8",
@@ -42,7 +42,13 @@ def static_files() -> dict[str, File]:
 def shell(template: File) -> File:
     """Return the page's shell with the views and their controls written into it."""
     views = [
-        {"name": view.name, "title": view.title, "schema": view.state.model_json_schema()} for view in VIEWS.values()
+        {
+            "name": view.name,
+            "title": view.title,
+            "group": GROUP_OF.get(view.name, ""),
+            "schema": view.state.model_json_schema(),
+        }
+        for view in VIEWS.values()
     ]
     facts = json.dumps({"version": __version__, "views": views, "carried": CARRIED}).replace("<", "\\u003c")
     return _file(template.content.replace(b"@facts@", facts.encode()), ".html")

@@ -14,12 +14,13 @@ class BatText(BaseModel):
 
 
 class Described(BatText):
-    """A file that answers made, and what was changed of its pattern so that it weighs what was said; "": nothing.
+    """A file that answers made, what was changed of its pattern to weigh as it does, and what was assumed.
 
     The words are for readers of either system.
     """
 
     told: dict[Literal["us", "si"], str]
+    assumed: dict[Literal["us", "si"], list[str]]
 
 
 class Choice(BaseModel):
@@ -44,7 +45,7 @@ class Meaning(BaseModel):
 
 
 class BatFacts(BaseModel):
-    """A bat in a list."""
+    """A bat in a list; ``use`` is the heading under which people look for it."""
 
     key: str
     name: str
@@ -54,3 +55,4 @@ class BatFacts(BaseModel):
     moi_6in_kg_m2: float
     hollow: bool
     sport: str
+    use: str

@@ -18,6 +18,7 @@ from starlette.requests import ClientDisconnect
 from sweetspot import __version__
 from sweetspot.errors import SweetspotError
 from sweetspot.web.answers import AnswerPool, TooSlowError, answer_json
+from sweetspot.web.bring import bring_routes
 from sweetspot.web.catalogue import catalogue_routes
 from sweetspot.web.errors import Fault, FullDiskError, Refusal, fault
 from sweetspot.web.files import File, shell, static_files
@@ -105,6 +106,7 @@ def create_app(*, names: Iterable[str] = ()) -> FastAPI:
         _job_routes(api, view, jobs)
     job_routes(api, jobs)
     upload_routes(api)
+    bring_routes(api)
     app.include_router(api)
     sockets = Sockets(answers)
 

@@ -1,4 +1,4 @@
-"""Files that a page hands in, piece by piece, into a folder of this server's own: sounds of taps, tables of a season.
+"""Files that a page hands in, piece by piece, into a folder of this server's own.
 
 A name of ours stands for each file, never a path. Room on the disk is kept for what was announced; what gets no byte
 for a minute, or was not used for an hour, is thrown away, and everything is when the server ends. Nothing leaves this
@@ -20,6 +20,8 @@ from fastapi import APIRouter, Request
 from fastapi.responses import FileResponse
 from pydantic import BaseModel, ConfigDict, Field
 
+from sweetspot.calibration.outline.outline_file import ENDINGS as OUTLINES
+from sweetspot.calibration.outline.outline_file import HEIF
 from sweetspot.calibration.recording import OF_PHONES, SOUND_FILES
 from sweetspot.errors import InputError
 from sweetspot.web.errors import FieldError, FullDiskError
@@ -35,7 +37,7 @@ ABANDONED = 60.0
 """s after which a file of which not all has come is thrown away where no more comes."""
 SPARE = 500_000_000
 """Bytes of the disk that are never filled."""
-ENDINGS = (".csv", ".tsv", ".gz", ".parquet", ".txt", *SOUND_FILES, *OF_PHONES)
+ENDINGS = (".gz", ".parquet", ".toml", ".json", *OUTLINES, *HEIF, *SOUND_FILES, *OF_PHONES)
 UploadKey = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{16}$")]
 TAKEN_AWAY = "tables"
 """Folder, among what is made of files, of what people may take away."""

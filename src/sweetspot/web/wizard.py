@@ -10,6 +10,7 @@ from dataclasses import replace
 from functools import cache
 from typing import Annotated, Any, Literal
 
+import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
 from sweetspot import catalog
@@ -27,17 +28,28 @@ from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.table_tennis_racket import TableTennisRacket
 from sweetspot.plausibility import bounds as bounds_of
 from sweetspot.plausibility.implements import ROUND_BAT, WHOLE, WholeImplement
+from sweetspot.reports.page_words import assumed_measures
 from sweetspot.reports.quantity_table import words_in_both_systems
+from sweetspot.reports.sentences import Sentence
 from sweetspot.units import INCH, OUNCE, OUNCE_INCH_SQUARED
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import ENOUGH
 from sweetspot.web.schemas import Choice
 
 PATTERNS = {
-    "baseball": {"r161-ash": "of wood, turned", "single-wall": "hollow, of metal", "composite": "hollow, composite"},
+    "baseball": {
+        "r161-ash": "of wood, turned",
+        "college-alloy": "hollow, of metal, stamp BBCOR .50",
+        "composite": "hollow, composite",
+        "single-wall": "hollow, of metal, older or without a stamp",
+    },
     "softball": {"fast-pitch": "hollow, composite", "r161-ash": "of wood, turned"},
     "slow-pitch": {"slow-pitch": "hollow, composite", "r161-ash": "of wood, turned"},
-    "youth-baseball": {"youth-30": "of wood, turned", "youth-alloy": "hollow, of metal"},
+    "youth-baseball": {
+        "youth-alloy": "hollow, of metal, stamp USA Baseball",
+        "youth-30": "of wood, turned",
+        "composite": "hollow, composite, stamp USSSA 1.15",
+    },
     "cricket": {"cricket-bat": "blade with a spine"},
     "tennis": {"tennis-racket": "carbon-fibre frame"},
     "badminton": {"badminton-racket": "carbon-fibre frame and shaft"},
@@ -50,6 +62,8 @@ WOODS = ("white-ash", "sugar-maple", "yellow-birch", "hickory")
 SHAFTS = ("carbon-shaft", "steel")
 LENGTHS = (0.78, 1.12)
 """Of a pattern's, for children and for the tallest."""
+BARRELS = (0.8, 1.2)
+"""Of a pattern's width, as far as barrels of one kind differ: 2 1/4 to 2 3/4 in are sold (assumed)."""
 
 
 class Usual(BaseModel):
@@ -118,11 +132,31 @@ def _questions(key: str, sport: str) -> list[WizardQuestion]:
     return [
         *_made_of(pattern),
         _number("length_in", "Length", pattern.length / INCH, (low / INCH, high / INCH)),
+        *_barrel(pattern),
+        *_drop(pattern),
         _weight(pattern, rigid_body(beam_model(pattern)).mass, usual.mass),
         _number("balance_in", f"Balance point from the {catalog.sport(sport).words.butt}, if measured", None, balances),
         *_swing_weight(sport, usual, (low, high)),
         *_stiffness(pattern, usual),
     ]
+
+
+def _barrel(pattern: Implement) -> list[WizardQuestion]:
+    """Ask for the width of a bat's barrel, which stands on most of them."""
+    if not isinstance(pattern, Bat) or pattern.profile is None:
+        return []
+    widest = max(width for _, width in pattern.profile) / INCH
+    low, high = (part * widest for part in BARRELS)
+    most = min(high, bounds_of("greatest_diameter").high)
+    return [_number("barrel_in", "Width of the barrel, if you know it", None, (low, most))]
+
+
+def _drop(pattern: Implement) -> list[WizardQuestion]:
+    """Ask for a hollow bat's drop, which stands on it and gives its weight."""
+    if not isinstance(pattern, Bat) or pattern.shell is None:
+        return []
+    label = _same("Drop, such as -10, if it stands on it: it gives the weight")
+    return [WizardQuestion(field="drop", label=label, kind="drop")]
 
 
 def _weight(pattern: Implement, mass: float, usual: tuple[float, float]) -> WizardQuestion:
@@ -235,6 +269,7 @@ class Wanted(BaseModel):
     material: Annotated[str, Field(max_length=60)] | None = Field(None, description="of a wooden bat, or of a shaft")
     front: Annotated[str, Field(max_length=60)] | None = Field(None, description="rubber that the ball meets")
     length_in: Annotated[float, Field(ge=5, le=60)] | None = None
+    barrel_in: Annotated[float, Field(ge=1, le=4)] | None = Field(None, description="greatest diameter of a bat")
     mass_oz: Annotated[float, Field(ge=1, le=60)] | None = None
     balance_in: Annotated[float, Field(ge=1, le=60)] | None = Field(None, description="balance point from the grip end")
     swing_weight_oz_in2: Annotated[float, Field(ge=50, le=40000)] | None = Field(
@@ -246,8 +281,8 @@ class Wanted(BaseModel):
     string_tension_n: Annotated[float, Field(ge=10, le=1000)] | None = None
 
 
-def described_by(wanted: Wanted) -> tuple[str, str]:
-    """Return the file of some answers, and how it was made to weigh what it does, in words.
+def described_by(wanted: Wanted) -> tuple[str, str, list[Sentence]]:
+    """Return the file of some answers, the change that gave its weight, in words, and what was assumed.
 
     A `FieldError` names the answer that cannot be.
     """
@@ -262,7 +297,23 @@ def described_by(wanted: Wanted) -> tuple[str, str]:
         with about(field):
             tool, note = scaled_to(pattern, measures)
     tool = tool.replaced(sport=wanted.sport)
-    return f"# {note}\n{_text(tool, wanted)}" if note else _text(tool, wanted), note
+    text = _text(tool, wanted)
+    return f"# {note}\n{text}" if note else text, note, _assumed(tool, wanted, axis)
+
+
+def _assumed(tool: Implement, wanted: Wanted, axis: float) -> list[Sentence]:
+    """Return the properties that no answer gave, as the implement has them."""
+    body = rigid_body(beam_model(tool))
+    heavy = wanted.swing_weight_oz_in2 is not None or wanted.swing_points is not None
+    return assumed_measures(
+        catalog.implement(wanted.pattern).name,
+        mass=body.mass if wanted.mass_oz is None else None,
+        balance=body.balance_point if wanted.balance_in is None else None,
+        moi=None if heavy or axis == 0 else body.moi(axis),
+        axis=axis,
+        lively=isinstance(tool, Bat) and tool.shell is not None,
+        words=catalog.sport(wanted.sport).words,
+    )
 
 
 def _of_material(tool: Implement, material: Material) -> Implement:
@@ -271,12 +322,25 @@ def _of_material(tool: Implement, material: Material) -> Implement:
     return tool.with_material(material) if isinstance(tool, Bat) else tool.replaced(material=material)
 
 
+def _barrelled(tool: Implement, diameter: float) -> Implement:
+    """Return a bat whose barrel has another greatest diameter; handle and knob stay."""
+    if not isinstance(tool, Bat) or tool.profile is None:
+        raise FieldError("barrel_in", f"{tool.name} has no barrel; leave it out")
+    place, width = np.array(tool.profile).T
+    thin = int(np.argmin(np.where(place < 0.6 * tool.length, width, np.inf)))
+    factor = (diameter - width[thin]) / (width.max() - width[thin])
+    wide = np.where(place > place[thin], width[thin] + factor * (width - width[thin]), width)
+    stations = tuple(zip(place.tolist(), np.minimum(wide, diameter).tolist(), strict=True))
+    return tool.reshaped(stations).replaced(name=tool.name, original=None)
+
+
 def _strung(tool: Implement, tension: float) -> Implement:
     return tool.replaced(strings=tool.bed.replaced(tension=tension)) if isinstance(tool, Racket) else tool
 
 
 CHANGES: dict[str, Callable[[Implement, Any], Implement]] = {
     "material": lambda tool, name: _of_material(tool, catalog.material(name)),
+    "barrel_in": lambda tool, inches: _barrelled(tool, inches * INCH),
     "front": lambda tool, name: tool.replaced(front=rubber(name)),
     "ra": lambda tool, rating: tool.replaced(first_frequency=frequency_of_ra(rating)),
     "tone_hz": lambda tool, hertz: tool.replaced(first_frequency=hertz),

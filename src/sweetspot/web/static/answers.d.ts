@@ -2,66 +2,70 @@
 
 /** The controls of every view. */
 export interface States {
+  start: StartState;
   explorer: ExplorerState;
   hit: HitFilmState;
   modes: ModesState;
+  own: OwnState;
   compare: CompareState;
+  design: DesignState;
+  player: PlayerState;
   flight: FlightState;
   optimum: OptimumState;
-  player: PlayerState;
-  own: OwnState;
-  design: DesignState;
   season: SeasonState;
-  sports: SportsState;
   paper: PaperState;
+  sports: SportsState;
 }
 
 /** What every view answers. */
 export interface Answers {
+  start: StartAnswer;
   explorer: ExplorerAnswer;
   hit: FilmAnswer;
   modes: ModesAnswer;
+  own: OwnAnswer;
   compare: ComparisonPicture;
+  design: DesignPicture;
+  player: ReadSwings;
   flight: FlownBall | MissedBall;
   optimum: LaunchAnswer;
-  player: ReadSwings;
-  own: OwnAnswer;
-  design: DesignPicture;
   season: SeasonPicture;
-  sports: SportsPicture;
   paper: PaperPicture;
+  sports: SportsPicture;
 }
 
 /** What is asked apart, by view and name. */
 export interface Asides {
+  start: {  };
   explorer: { map: PowerMap; why: ReportWords; sure: ReadDocument; file: OneFile; };
   hit: { sure: ReadDocument; };
   modes: {  };
+  own: { tap: HeardTaps; file: WrittenBat; };
   compare: { intervals: SureComparison; rules: CertifiedBats; sure: ReadDocument; rules_sure: ReadDocument; };
+  design: { gain: DesignWorth; files: DesignFiles; batter: BatterControls; };
+  player: { fit: ReadDocument; table: SwingTable; };
   flight: { map: CarryMap; fences: Fences; sure: ReadDocument; };
   optimum: { swing: ReadDocument; parks: ReadDocument; };
-  player: { fit: ReadDocument; table: SwingTable; };
-  own: { tap: HeardTaps; file: WrittenBat; };
-  design: { gain: DesignWorth; files: DesignFiles; batter: BatterControls; };
   season: { summary: SeasonWords; maps: SeasonMaps; player: ReadDocument | null; contacts: BatterControls; };
-  sports: { face: SportsFace; sentences: SportsWords; file: OneFile; };
   paper: {  };
+  sports: { face: SportsFace; sentences: SportsWords; file: OneFile; };
 }
 
 /** What long work gives, by view and name. */
 export interface Jobs {
+  start: {  };
   explorer: {  };
   hit: {  };
   modes: {  };
+  own: {  };
   compare: {  };
+  design: { search: FrontProgress; };
+  player: {  };
   flight: {  };
   optimum: {  };
-  player: {  };
-  own: {  };
-  design: { search: FrontProgress; };
   season: { read: SeasonReading; };
-  sports: {  };
   paper: {  };
+  sports: {  };
 }
 
 /** The lists of the catalogue. */
@@ -132,7 +136,7 @@ export interface BarrelNodes {
   node_2_m: number; node_2_low_m?: number; node_2_high_m?: number;
 }
 
-/** A bat in a list. */
+/** A bat in a list; ``use`` is the heading under which people look for it. */
 export interface BatFacts {
   key: string;
   name: string;
@@ -142,6 +146,7 @@ export interface BatFacts {
   moi_6in_kg_m2: number;
   hollow: boolean;
   sport: string;
+  use: string;
 }
 
 /** How much faster than from the first bat the ball leaves, and how probable it is that it does. */
@@ -511,6 +516,13 @@ export interface DesignWorth {
   half_interval_m_s: number; half_interval_low_m_s?: number; half_interval_high_m_s?: number;
   likely_from_m_s: number; likely_from_low_m_s?: number; likely_from_high_m_s?: number;
   seen_from_m_s: number; seen_from_low_m_s?: number; seen_from_high_m_s?: number;
+}
+
+/** A way on: the view that it leads to, and its words. */
+export interface Door {
+  view: string;
+  title: string;
+  words: string;
 }
 
 /** A hole from the tip, between two places from the knob end; ``fill`` names what it is filled with. */
@@ -1574,6 +1586,12 @@ export interface SpeedSpan {
   high_m_s: number; high_low_m_s?: number; high_high_m_s?: number;
 }
 
+/** Exit speeds along a bat, from the knob end, shape (n,). */
+export interface SpeedsAlong {
+  position_m: number[];
+  exit_speed_m_s: (number | null)[];
+}
+
 /** Exit speeds along the bat with every place that is called sweet. */
 export interface SpeedsPicture {
   position_m: number[];
@@ -1648,6 +1666,55 @@ export interface SportsWords {
 export interface SpringPair {
   share: number; share_low?: number; share_high?: number;
   restitution: number; restitution_low?: number; restitution_high?: number;
+}
+
+/** A bat, its best place, and the hit at the chosen place: its speed, what a miss costs, and its tones. */
+export interface StartAnswer {
+  front: StartWords;
+  bat: BatPicture;
+  ball: BallPicture;
+  hands_m: number[];
+  best_m: number; best_low_m?: number; best_high_m?: number;
+  scan: SpeedsAlong;
+  position_m: number; position_low_m?: number; position_high_m?: number;
+  exit_speed_m_s: number | null; exit_speed_low_m_s?: number; exit_speed_high_m_s?: number;
+  place: Record<"si" | "us", string>;
+  sentence: Record<"us" | "si", string[]>;
+  tones: ToneOfHit[];
+}
+
+/** The bat, the swing, the ball, and where along the bat they meet, in its middle. */
+export interface StartState {
+  bat: string;
+  bat_toml: string | null;
+  profile_in: [number, number][] | null;
+  mass_oz: number | null;
+  wall_factor: number;
+  bore_diameter_in: number;
+  bore_depth_in: number;
+  bore_fill: string;
+  cup_diameter_in: number;
+  cup_depth_in: number;
+  weight_oz: number;
+  weight_from_tip_in: number;
+  choke_up_in: number;
+  pitch_speed_mph: number | null;
+  bat_speed_mph: number | null;
+  same: "effort" | "speed";
+  hands_in: number;
+  ball: string | null;
+  ball_toml: string | null;
+  ball_cor: number | null;
+  ball_humidity: number | null;
+  ball_temperature_degf: number | null;
+  impact_from_tip_in: number;
+}
+
+/** The words of the first page that stay. */
+export interface StartWords {
+  title: string;
+  lead: string;
+  doors: Door[];
 }
 
 /** One statement of the paper, with its words for readers of either system. */
@@ -1771,6 +1838,13 @@ export interface ToTheGround {
   landing_speed_m_s: number; landing_speed_low_m_s?: number; landing_speed_high_m_s?: number;
   landing_angle_rad: number; landing_angle_low_rad?: number; landing_angle_high_rad?: number;
   landing_direction_rad: number; landing_direction_low_rad?: number; landing_direction_high_rad?: number;
+}
+
+/** A tone of a struck bat, and its part of the vibration's energy. */
+export interface ToneOfHit {
+  frequency_hz: number; frequency_low_hz?: number; frequency_high_hz?: number;
+  decay_s: number; decay_low_s?: number; decay_high_s?: number;
+  energy_share: number; energy_share_low?: number; energy_share_high?: number;
 }
 
 /** A tone of all good taps: its mode, half its 90 % interval, and whether it is the bat's own and not the room's. */

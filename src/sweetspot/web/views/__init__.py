@@ -12,7 +12,7 @@ How to write one, say ``modes``:
   longer is an aside: ``View(..., asides={"fit": fit})``, asked for by ``app.aside`` once the controls rest. A document
   of `report` becomes one by `web.documents.page_document`; ``static/controls/document.js`` shows it. Lines to copy:
   ``recipe``.
-* add it to `ORDER` below; the routes ``/modes``, ``POST /api/v1/modes`` and the socket then exist.
+* add it to a group of `GROUPS` below; the routes ``/modes``, ``POST /api/v1/modes`` and the socket then exist.
 * ``web/static/views/modes.js``: see the notes at the top of ``web/static/shell/main.js``.
 * ``tests/web/test_view_modes.py``: the answer without a browser, and with the fixture ``page`` (see
   ``tests/web/conftest.py``) what a person sees.
@@ -34,7 +34,16 @@ from sweetspot.web.views import (
     player,
     season,
     sports,
+    start,
 )
 
-ORDER = (explorer, hit, modes, compare, flight, optimum, player, own, design, season, sports, paper)
+GROUPS = {
+    "My bat": (explorer, hit, modes, own),
+    "Which bat": (compare, design, player),
+    "The ball": (flight, optimum, season),
+    "Learn": (paper, sports),
+}
+"""The views by what people want, as the bar has them."""
+ORDER = (start, *(view for views in GROUPS.values() for view in views))
 VIEWS: dict[str, View] = {view.VIEW.name: view.VIEW for view in ORDER}
+GROUP_OF = {view.VIEW.name: group for group, views in GROUPS.items() for view in views}

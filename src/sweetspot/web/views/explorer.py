@@ -15,10 +15,9 @@ from sweetspot.answers.hit import CollisionNumbers, numbers_in_batch
 from sweetspot.answers.records import Angle, Impulse, Length, Ratio, Speed, Spin
 from sweetspot.answers.report import SweetSpotPlaces, report_of, sweet_spot_places
 from sweetspot.answers.setups import SwungWith
-from sweetspot.collision.closed_form import bbcor, exit_speed
+from sweetspot.collision.closed_form import bbcor
 from sweetspot.collision.hit_in_space import Strikes
 from sweetspot.collision.impact import Impacts, Outcome
-from sweetspot.collision.kernel import hits
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval, values_of
 from sweetspot.reports.bat.words import answer_words, speed_difference, why_backwards, why_here, why_off_axis
@@ -44,6 +43,7 @@ from sweetspot.web.views.explorer_curves import (
     along,
     beside,
     curves,
+    head_on,
     jumps_at,
     leaving,
     power_map,
@@ -264,8 +264,8 @@ def _hit(state: ExplorerState, setup: Met, found: HitsAlongBat) -> tuple[Explore
     coming, bat_speed = conditions.pitch.speed, conditions.swing.speed_at(place)
     if state.offset_in == 0:
         closing = coming + bat_speed
-        hit: Impacts | Strikes = hits(modes, ball=conditions.ball, position=place, closing_speed=closing)
-        speed = exit_speed(float(hit.collision_efficiency[0]), ball_speed=coming, bat_speed=bat_speed)
+        hit: Impacts | Strikes
+        hit, speed = head_on(setup, place)
         angle = spin = 0.0
     else:
         hit = struck(setup, position=[place], offset=state.offset_in * INCH)

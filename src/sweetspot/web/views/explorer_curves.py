@@ -15,9 +15,10 @@ from sweetspot.analysis.bat_analysis import check_conditions, hit_at
 from sweetspot.analysis.position_scan import Scan, energy_shares, scan, sting
 from sweetspot.analysis.sweet_spot import SweetSpots, sweet_spots
 from sweetspot.answers.records import GAPS, GRID
-from sweetspot.collision.closed_form import bbcor
+from sweetspot.collision.closed_form import bbcor, exit_speed
 from sweetspot.collision.hit_in_space import Contact, Strikes, strikes
-from sweetspot.collision.kernel import hits_with_motion
+from sweetspot.collision.impact import Impacts
+from sweetspot.collision.kernel import hits, hits_with_motion
 from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.dynamics.rigid import hand_impulse_ratio
 from sweetspot.motion.ball_motion import BallMotions
@@ -121,6 +122,16 @@ def leaving(strikes: Strikes) -> tuple[Array, Array, Array]:
 def power_map(state: HitState) -> PowerMap:
     """Return exit speeds over the barrel and over how far off its axis the ball is met; null: it is fouled back."""
     return _power_map(part_of(state, HitState, **MIDDLE))
+
+
+def head_on(setup: Met, place: float) -> tuple[Impacts, float]:
+    """Return the collision of a ball met in the middle, m from the knob end, and its exit speed, m/s."""
+    conditions = setup.conditions
+    bat_speed = conditions.swing.speed_at(place)
+    closing = conditions.pitch.speed + bat_speed
+    hit = hits(setup.reduced.modes, ball=conditions.ball, position=place, closing_speed=closing)
+    efficiency = float(hit.collision_efficiency[0])
+    return hit, exit_speed(efficiency, ball_speed=conditions.pitch.speed, bat_speed=bat_speed)
 
 
 @lru_cache(maxsize=KEPT)

@@ -22,7 +22,7 @@ from sweetspot.reports.page_words import motion_words
 from sweetspot.units import INCH
 from sweetspot.units.dimensions import LENGTH
 from sweetspot.web.bats import ball_of, conditions_of, reduced
-from sweetspot.web.controls import HeldState, Place, SwungState
+from sweetspot.web.controls import BatState, HeldState, Place, SwungState
 from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.drawings import BatPicture, bat_picture
 from sweetspot.web.errors import FieldError
@@ -35,6 +35,9 @@ HIGHEST = 10e3
 TAP_FIELDS = ("tap_from_tip_in", "tap_ms")
 STILL = 1e-3
 """Part of the greatest shape below which a stretch of a hoop mode counts as still all along."""
+
+LEAST_TONE = 1e-4
+"""Part of the vibration's energy below which a tone is not heard beside the others: -40 dB."""
 
 
 class ModesState(SwungState, HeldState):
@@ -151,6 +154,26 @@ def answer(state: ModesState) -> ModesAnswer:
         modes=motions,
         chosen=index,
         words=in_both_systems(words),
+    )
+
+
+@dataclass(frozen=True)
+class ToneOfHit:
+    """A tone of a struck bat, and its part of the vibration's energy."""
+
+    frequency: Frequency
+    decay: Time
+    energy_share: Ratio
+
+
+def tones(state: SwungState, place: float, duration: float) -> tuple[ToneOfHit, ...]:
+    """Return the tones that a hit at a place leaves in a bat hung freely, m from the knob end and s."""
+    held = _held(ModesState(**{name: getattr(state, name) for name in BatState.model_fields}))
+    taps = _taps(held, place, duration)
+    return tuple(
+        ToneOfHit(motion.frequency, motion.decay, tap.energy_share)
+        for motion, tap in zip(held.motions, taps, strict=True)
+        if motion.decay is not None and tap.energy_share is not None and float(tap.energy_share) > LEAST_TONE
     )
 
 

@@ -1,6 +1,7 @@
 // A bat file that somebody hands in: short enough, and a bat to the server. A refusal is thrown with its message.
 
 import { posted } from "../shell/post.js";
+/** @import { App } from "../shell/main.js" */
 
 const LONGEST_TOML = 20000;
 
@@ -13,3 +14,11 @@ export async function textOf(file) {
 
 /** @param {string} toml */
 export const checked = (toml) => posted("/api/v1/bat", { toml });
+
+// The bat as it stands, as the text of a bat file; a refusal is thrown.
+/** @param {App} app */
+export async function batText(app) {
+  const { toml } = await posted("/api/v1/explorer/recipe", Object.fromEntries(
+    Object.entries(app.carried).filter(([field]) => Object.hasOwn(app.entry("explorer").schema, field))));
+  return toml;
+}

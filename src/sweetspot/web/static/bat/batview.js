@@ -19,7 +19,7 @@ import { text } from "../controls/units.js";
 /** @import { DrawnBall, DrawnBat, Warmth } from "./batpaint.js" */
 /** @import { Grip } from "./grips.js" */
 /** @typedef {Exclude<keyof SweetSpotPlaces, "zone_m" | "zone_low_m" | "zone_high_m">} Spot */
-/** @typedef {{ [Name in keyof SweetSpotPlaces]: SweetSpotPlaces[Name] | null }} Spots */
+/** @typedef {{ [Name in keyof SweetSpotPlaces]?: SweetSpotPlaces[Name] | null }} Spots those that are shown */
 /**
  * What is shown: warm colours by values along the bat, what can be gripped, and the ball.
  * @typedef {object} Shown
@@ -86,16 +86,16 @@ export class BatView {
     const { left, scale } = this.place(this.surface.width);
     return (x - left) / scale;
   }
+  // Pixels above the bat, where the sweet spots have their names.
+  get rows() { return this.data?.sweet_spots ? Object.keys(SPOTS).filter((name) => name in (this.data?.sweet_spots ?? {})).length * ROW + 10 : 8; }
   /** @param {number} width */
   tall(width) {
-    const rows = this.data?.sweet_spots ? Object.keys(SPOTS).length * ROW + 10 : 8;
-    return rows + (WIDEST + (this.data?.ball ? 2 * this.data.ball.radius_m : 0)) * this.scaleAt(width) + ROOM_BELOW;
+    return this.rows + (WIDEST + (this.data?.ball ? 2 * this.data.ball.radius_m : 0)) * this.scaleAt(width) + ROOM_BELOW;
   }
   /** @param {number} width */
   place(width) {
-    const rows = this.data?.sweet_spots ? Object.keys(SPOTS).length * ROW + 10 : 8;
     const scale = this.scaleAt(width);
-    return { left: LEFT - this.range[0] * scale, edge: LEFT, scale, middle: rows + (WIDEST / 2) * scale };
+    return { left: LEFT - this.range[0] * scale, edge: LEFT, scale, middle: this.rows + (WIDEST / 2) * scale };
   }
 
   listen() {

@@ -1,16 +1,8 @@
-// The chip in the header: what lies on the bench, what was changed of it, and what can be done with it.
+// The chip in the header: what lies on the bench and what was changed of it. It opens the bench.
 
-import { batText, describeOwn, orSaid } from "./bench.js";
-import { unchanged } from "./unchanged.js";
-import { button } from "../controls/controls.js";
-import { download } from "../shell/download.js";
 import { make, write } from "../controls/parts.js";
 import { posted } from "../shell/post.js";
-/** @import { App, Field } from "../shell/main.js" */
-
-/** @type {[Field, string][]} a field that changes the bat, and what is said of it; #: its value */
-const CHANGES = [["profile_in", "outline drawn"], ["mass_oz", "weight #"], ["wall_factor", "wall × #"], ["bore_diameter_in", "hole # wide"],
-  ["cup_diameter_in", "cup # wide"], ["weight_oz", "# added"], ["choke_up_in", "choked up #"]];
+/** @import { App } from "../shell/main.js" */
 
 export class Chip {
   /** @param {App} app */
@@ -21,20 +13,14 @@ export class Chip {
     this.name = make("strong");
     this.changes = make("small");
     this.open = make("button", { type: "button", id: "bench-chip" }, make("span", {}, this.name, " ", this.changes));
-    this.open.setAttribute("aria-haspopup", "dialog");
+    this.open.setAttribute("aria-expanded", "false");
+    this.open.setAttribute("aria-controls", "bench");
     this.element = make("div", { className: "bench-chip" }, this.open);
-    this.open.addEventListener("click", () => this.menu());
+    this.open.addEventListener("click", () => app.bench.turn());
   }
 
   get bat() {
     return { bat: "r161-ash", bat_toml: null, ...this.app.carried };
-  }
-
-  /** @returns {[Field, string][]} */
-  made() {
-    const { app } = this, { schema } = app.entry("explorer"), { carried } = app;
-    const changed = CHANGES.filter(([field]) => carried[field] !== undefined && JSON.stringify(carried[field]) !== JSON.stringify(schema[field].default ?? null));
-    return changed.map(([field, words]) => [field, words.replace("#", field === "wall_factor" ? String(carried[field]) : app.text(field, Number(carried[field])))]);
   }
 
   // Where another sport's implement lies before one, it is named; where nothing does, the bat on the bench has nothing to say.
@@ -45,7 +31,7 @@ export class Chip {
       return;
     }
     const { bat, bat_toml: text } = this.bat;
-    const changes = [text ? "your own file" : "", ...this.made().map(([, words]) => words)].filter(Boolean).join(", ");
+    const changes = [text ? "your own file" : "", ...this.app.bench.made().map(([, words]) => words)].filter(Boolean).join(", ");
     write(this.changes, changes);
     const key = text ?? bat;
     this.name.textContent ||= bat; // until its name is known
@@ -61,6 +47,7 @@ export class Chip {
   /** @param {string} name @param {string} changes */
   show(name, changes) {
     write(this.name, name);
+    this.app.bench.named(name);
     write(this.changes, changes);
     const said = `On the bench: ${name}${changes ? `, ${changes}` : ""}`;
     if (this.open.getAttribute("aria-label") !== said) this.open.setAttribute("aria-label", said);
@@ -75,46 +62,5 @@ export class Chip {
       this.names.delete(text ?? bat); // so that the next who asks tries again
       return text ? "your own bat" : bat;
     }
-  }
-
-  menu() {
-    const dialog = make("dialog", { className: "bench-menu" });
-    dialog.setAttribute("aria-labelledby", "bench-name");
-    const act = (/** @type {string} */ words, /** @type {() => void} */ doing) => button(words, () => {
-      dialog.close();
-      doing();
-    });
-    dialog.append(
-      make("h2", { id: "bench-name", textContent: this.name.textContent }),
-      ...(this.other ? this.ofOther(act) : this.ofBat(act)),
-      make("form", { method: "dialog" }, make("button", { textContent: "Close" })));
-    dialog.addEventListener("close", () => dialog.remove());
-    document.body.append(dialog);
-    dialog.showModal();
-  }
-
-  /** @param {(words: string, doing: () => void) => HTMLButtonElement} act */
-  ofBat(act) {
-    const { app } = this;
-    const made = this.made();
-    const list = made.length ? make("ul", {}, ...made.map(([field, words]) => make("li", {}, `${words} `,
-      Object.assign(act("Undo", () => app.setState({ [field]: app.entry("explorer").schema[field].default ?? null })), { ariaLabel: `Undo: ${words}` }))))
-      : make("p", { className: "note", textContent: "Nothing was changed of it." });
-    return [list, make("div", { className: "row" },
-      act("As it was", () => app.setState(unchanged({ schema: app.entry("explorer").schema }))),
-      act("Save as bat.toml", () => orSaid(async () => download("bat.toml", "application/toml", await batText(app)))),
-      act("Describe another bat …", () => describeOwn(app)),
-      act("Compare this with …", () => app.visit(app.addressFor("compare"))),
-      act("Start this view anew", () => app.reset()))];
-  }
-
-  /** @param {(words: string, doing: () => void) => HTMLButtonElement} act */
-  ofOther(act) {
-    const { app } = this;
-    const text = app.state.implement_toml;
-    return [make("div", { className: "row" },
-      ...(text ? [act("Save as mine.toml", () => download("mine.toml", "application/toml", text))] : []),
-      act("Describe another …", () => describeOwn(app)),
-      act("Start this view anew", () => app.reset()))];
   }
 }

@@ -12,6 +12,7 @@ import { fromShown, toShown, unitOf } from "../controls/units.js";
 
 /** @typedef {HTMLInputElement | HTMLSelectElement} Field */
 
+const DROP = "drop";
 const FIGURES = 4; // of a first value and of a bound
 
 /** @type {Wizard | null} */
@@ -110,6 +111,18 @@ class Wizard {
       this.fill(question, field);
       field.addEventListener("change", () => this.fields.forEach(([other, its]) => [other.follows, other.proportion_to].includes(question.field) && this.fill(other, its)));
     }
+    this.dropped();
+  }
+
+  // A drop is the weight in ounces less the length in inches; people write it with and without its sign.
+  dropped() {
+    const [drop, length, mass] = [DROP, "length_in", "mass_oz"].map((name) => this.fields.find(([{ field }]) => field === name));
+    if (!drop || !length || !mass) return;
+    const put = () => {
+      const inches = fromShown("length_in", Number(length[1].value), this.system(length[0]));
+      if (drop[1].value !== "" && inches > 0) mass[1].value = String(this.shown(mass[0], inches - Math.abs(Number(drop[1].value))));
+    };
+    for (const [, field] of [drop, length]) field.addEventListener("change", put);
   }
 
   // What is usual here, which may follow from other answers.
@@ -187,7 +200,7 @@ class Wizard {
         good = false;
         continue;
       }
-      if (value === "") continue;
+      if (value === "" || field === DROP) continue;
       if (least === null || most === null) {
         wanted[field] = value;
         continue;
@@ -207,11 +220,11 @@ class Wizard {
     const wanted = this.wanted();
     if (!wanted) return;
     try {
-      const { toml, told } = await posted("/api/v1/describe", wanted);
-      this.lay(toml);
+      const { toml, told, assumed } = await posted("/api/v1/describe", wanted);
       begun = null;
-      if (told[this.app.units]) this.tell(told[this.app.units]);
-      else this.dialog.close();
+      this.dialog.close();
+      await this.lay(toml);
+      this.app.bench.assume(toml, { us: [...assumed.us, ...[told.us].filter(Boolean)], si: [...assumed.si, ...[told.si].filter(Boolean)] });
     } catch (fault) {
       this.fault(fault.field, wordsOf(fault, this.app.units));
     }
@@ -219,26 +232,18 @@ class Wizard {
 
   // On the bench: a bat for every view, anything else in the view of its own.
   /** @param {string} toml */
-  lay(toml) {
+  async lay(toml) {
     const { app } = this;
     if (this.form.view === "sports") {
-      app.visitWith("sports", { implement_toml: toml, swing_mph: null, incoming_mph: null, met_from_tip_in: null, aside_in: 0 });
+      await app.visitWith("sports", { implement_toml: toml, swing_mph: null, incoming_mph: null, met_from_tip_in: null, aside_in: 0 });
       return;
     }
     const fields = { ...unchanged({ schema: app.entry("explorer").schema }), bat_toml: toml };
     if (Object.hasOwn(app.schema, "bat_toml")) app.setState(fields);
     else {
       Object.assign(app.carried, fields);
-      app.visit(app.addressFor("explorer"));
+      await app.visit(app.addressFor("explorer"));
     }
-  }
-
-  /** @param {string} told */
-  tell(told) {
-    const close = button("Close", () => this.dialog.close(), { primary: true });
-    this.dialog.replaceChildren(make("h2", { id: "wizard-title", textContent: `${this.name.value} lies on the bench` }),
-      make("p", { textContent: told }), make("div", { className: "row" }, close));
-    close.focus();
   }
 }
 

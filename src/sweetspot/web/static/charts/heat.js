@@ -2,11 +2,14 @@
 
 const STOPS = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]]; // viridis
 
-// The colour of a part between 0 and 1.
+// Red, green and blue of a part between 0 and 1.
 /** @param {number} part */
-export function heat(part) {
+export function mixed(part) {
   const place = Math.min(1, Math.max(0, part)) * (STOPS.length - 1);
   const i = Math.min(STOPS.length - 2, Math.floor(place));
-  const mixed = STOPS[i].map((value, k) => Math.round(value + (place - i) * (STOPS[i + 1][k] - value)));
-  return `rgb(${mixed.join(", ")})`;
+  return STOPS[i].map((value, k) => Math.round(value + (place - i) * (STOPS[i + 1][k] - value)));
 }
+
+// The colour of a part between 0 and 1.
+/** @param {number} part */
+export const heat = (part) => `rgb(${mixed(part).join(", ")})`;

@@ -18,6 +18,7 @@ import { paintAxis, shownPlace } from "./chartpaint.js";
 import { heat } from "./heat.js";
 import { Numbers, evenly } from "./numbers.js";
 import { dot, line, shape } from "./pen.js";
+import { isGrid, smoothed } from "./smooth.js";
 import { FONT, Surface, haloText, ticks } from "./surface.js";
 import { fromShown, grouped, kindOf, toShown, unitOf } from "../controls/units.js";
 /** @import { Axis, Values } from "./chart.js" */
@@ -25,6 +26,7 @@ import { fromShown, grouped, kindOf, toShown, unitOf } from "../controls/units.j
 /** @import { Span, Zoom } from "./zoom.js" */
 
 const HEAD = 22, FOOT = 34;
+const APART = 3, TALL = 15; // pixels around numbers on lines, and of their rows
 const NARROW = 48; // pixels that a column of the map's table needs
 const CROSS = /** @type {[string, number][]} */ ([["white", 5], ["black", 2]]); // as dark on every colour of the map, whatever the theme
 /** @param {number[]} values @returns {Span} */
@@ -153,6 +155,7 @@ export class HeatMap {
   /** @param {CanvasRenderingContext2D} context @param {{ least: number, most: number }} given */
   paintCells(context, { least, most }) {
     const { x, y, z } = this.data;
+    if (this.z.kind !== "count" && context instanceof CanvasRenderingContext2D && isGrid(x, y)) return this.paintSmooth(context, least, most);
     const beside = (/** @type {number[]} */ values, /** @type {number} */ i) => values[i] ?? (i < 0 ? 2 * values[0] - values[1] : 2 * values[values.length - 1] - values[values.length - 2]);
     const edges = (/** @type {number[]} */ values, /** @type {number} */ i) => [(beside(values, i - 1) + values[i]) / 2, (values[i] + beside(values, i + 1)) / 2];
     y.forEach((one, row) => {
@@ -167,11 +170,25 @@ export class HeatMap {
     });
   }
 
-  // Lines of equal value, found square by square, each with its number once.
+  /** @param {CanvasRenderingContext2D} context @param {number} least @param {number} most */
+  paintSmooth(context, least, most) {
+    const { x, y, z } = this.data;
+    const picture = smoothed(z, least, most), [wide, high] = [(x[1] - x[0]) / 2, (y[1] - y[0]) / 2];
+    const whole = Object.assign(document.createElement("canvas"), { width: picture.width, height: picture.height });
+    whole.getContext("2d")?.putImageData(picture, 0, 0);
+    const [left, right] = [this.across(x[0] - wide), this.across(x[x.length - 1] + wide)], [top, bottom] = [this.up(y[y.length - 1] + high), this.up(y[0] - high)];
+    context.imageSmoothingEnabled = true;
+    context.drawImage(whole, left, top, right - left, bottom - top);
+  }
+
+  // Lines of equal value, found square by square, each with its number once, where it lies on no other number.
   /** @param {CanvasRenderingContext2D} context @param {{ least: number, most: number }} given */
   paintLines(context, { least, most }) {
     const { units, colors } = this.app;
     const shown = (/** @type {number} */ value) => toShown(this.z.kind, value, units);
+    /** @type {number[][]} */
+    const taken = []; // middles and half widths of numbers
+    Object.assign(context, { font: `600 11px ${FONT}`, textAlign: "center", textBaseline: "middle" });
     for (const level of ticks(shown(least), shown(most), 6)) {
       const pieces = squares(this.data, fromShown(this.z.kind, level, units));
       Object.assign(context, { strokeStyle: colors.paper, lineWidth: 1 });
@@ -182,10 +199,12 @@ export class HeatMap {
       }
       context.stroke();
       const places = pieces.map(([[x, y]]) => [this.across(x), this.up(y)]).filter(([x, y]) => x > LEFT + 20 && x < this.surface.width - RIGHT - 20 && y > HEAD + 9 && y < HEAD + this.tall - 9);
-      if (!places.length) continue;
-      const [x, y] = places[Math.floor(places.length / 3)];
-      Object.assign(context, { font: `600 11px ${FONT}`, textAlign: "center", textBaseline: "middle" });
-      haloText(context, String(level).replace("-", "−"), x, y, colors.ink, colors.panel);
+      const words = String(level).replace("-", "−"), half = context.measureText(words).width / 2 + APART;
+      const first = Math.floor(places.length / 3);
+      const free = [...places.slice(first), ...places.slice(0, first)].find(([x, y]) => taken.every(([a, b, other]) => Math.abs(x - a) > half + other || Math.abs(y - b) > TALL));
+      if (!free) continue;
+      taken.push([...free, half]);
+      haloText(context, words, free[0], free[1], colors.ink, colors.panel);
     }
   }
 

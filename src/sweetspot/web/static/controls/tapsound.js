@@ -1,20 +1,20 @@
 // The tap as a sound: every motion at its frequency, dying away as it does, as strong as the tap excites it.
-/** @import { ModesAnswer } from "../answers.js" */
 
 const LASTS = 1.2; // s
 const AUDIBLE = 60; // Hz
 
-/** @param {ModesAnswer | null} answer */
-export function strike(answer) {
-  if (!answer) return;
+/** @typedef {{ frequency_hz: number, decay_s: number | null, energy_share: number | null }} Tone */
+
+/** @param {Tone[]} tones */
+export function strike(tones) {
   const audio = new AudioContext();
   const rate = audio.sampleRate;
   const buffer = audio.createBuffer(1, LASTS * rate, rate);
   const sound = buffer.getChannelData(0);
-  for (const { frequency_hz: hertz, decay_s: decay, tap } of answer.modes) {
-    if (hertz < AUDIBLE || !decay || !tap.energy_share) continue;
+  for (const { frequency_hz: hertz, decay_s: decay, energy_share: share } of tones) {
+    if (hertz < AUDIBLE || !decay || !share) continue;
     const [omega, fade] = [(2 * Math.PI * hertz) / rate, Math.exp(-1 / (decay * rate))];
-    let strength = Math.sqrt(tap.energy_share) * Math.min(1, hertz / 1000); // a narrow bat hardly radiates low notes
+    let strength = Math.sqrt(share) * Math.min(1, hertz / 1000); // a narrow bat hardly radiates low notes
     for (let i = 0; i < sound.length && strength > 1e-5; i += 1, strength *= fade) sound[i] += strength * Math.sin(omega * i);
   }
   const most = sound.reduce((best, value) => Math.max(best, Math.abs(value)), 1e-9);

@@ -7,6 +7,10 @@ const MOST_UNPACKED = 65536; // letters of what a short address may hold
 /** @typedef {Record<string, unknown>} Fields the state of a view, by its fields */
 /** @import { Property } from "../controls/fields.js" */
 
+const HOME = "start"; // whose address is that of the server
+/** @param {string} name @param {boolean} embedded */
+const pathOf = (name, embedded) => (embedded ? `/embed/${name}` : name === HOME ? "/" : `/${name}`);
+
 /** @param {string} name @param {Fields} state @param {Fields} defaults */
 export function addressOf(name, state, defaults, embedded = false) {
   const query = new URLSearchParams();
@@ -15,14 +19,14 @@ export function addressOf(name, state, defaults, embedded = false) {
     query.set(field, typeof value === "string" ? value : JSON.stringify(value));
   }
   const text = query.toString().replaceAll("%2C", ",").replaceAll("%3A", ":");
-  return `${embedded ? "/embed" : ""}/${name}${text ? `?${text}` : ""}`;
+  return `${pathOf(name, embedded)}${text ? `?${text}` : ""}`;
 }
 
 // The same as a short address: what differs, packed by deflate. It needs no server to remember it.
 /** @param {string} name @param {Fields} state @param {Fields} defaults */
 export async function shortAddressOf(name, state, defaults, embedded = false) {
   const changed = Object.entries(state).filter(([field, value]) => JSON.stringify(value) !== JSON.stringify(defaults[field]));
-  const path = `${embedded ? "/embed" : ""}/${name}`;
+  const path = pathOf(name, embedded);
   if (!changed.length) return path;
   const bytes = await through(new CompressionStream("deflate-raw"), new TextEncoder().encode(JSON.stringify(Object.fromEntries(changed))));
   const text = btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");

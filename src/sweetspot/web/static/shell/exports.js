@@ -146,7 +146,7 @@ function conditionsOf(app) {
   const known = { pitch_speed_m_s: "pitch", bat_speed_m_s: "bat speed", hands_position_m: "top hand" };
   const said = Object.entries(app.answer?.conditions ?? {}).filter(([name, value]) => known[name] && typeof value === "number")
     .map(([name, value]) => `${known[name]} ${app.text(name, value)}`);
-  const changes = app.chip.made().map(([, words]) => words);
+  const changes = app.bench.made().map(([, words]) => words);
   return [app.entry(app.name).title, app.answer?.bat?.name, ...changes, ...said].filter(Boolean).join(" · ");
 }
 

@@ -1,4 +1,4 @@
-// Three steps for the first visit, and again whenever asked for; each view has its own.
+// Three steps whenever asked for; each view has its own. Nothing lies over a picture by itself.
 
 import { partOf } from "../controls/parts.js";
 /** @import { App } from "./main.js" */
@@ -11,12 +11,6 @@ export function guide(app) {
   button.setAttribute("aria-haspopup", "dialog");
   button.addEventListener("click", () => open(app));
   return button;
-}
-
-// On the first visit of this browser, when the first picture is there.
-/** @param {App} app */
-export function welcome(app) {
-  if (!localStorage.getItem("guided")) open(app);
 }
 
 /** @param {App} app */
@@ -46,10 +40,7 @@ function open({ guide: steps }) {
     else show();
   });
   part(".end").addEventListener("click", () => dialog.close());
-  dialog.addEventListener("close", () => {
-    localStorage.setItem("guided", "yes");
-    dialog.remove();
-  });
+  dialog.addEventListener("close", () => dialog.remove());
   show();
   document.body.append(dialog);
   dialog.showModal();

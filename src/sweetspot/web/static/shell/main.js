@@ -7,6 +7,8 @@
 //     constructor(root, app) {}       // build the elements once; no answer is there yet
 //     update(answer, state) {}        // a new answer, or the same one again after a change of units, theme or size: draw
 //     unmount() {}                    // optional: stop what runs; the shell empties root
+//     bring(files) {}                // optional: take files of the view's kind, wherever they were dropped
+//     other(kind) {}                  // optional: take what another sport hits with, "" for a bat, where it is chosen
 //     figures() { return []; }        // optional: [{ name, width, height, paint(context, width, height) }] for PNG and SVG;
 //                                     //   paint uses only what SvgContext in svgcontext.js knows of a canvas' 2d context
 //     table() { return {}; }          // optional: { column_name_with_unit: [numbers] } for CSV
@@ -33,10 +35,11 @@
 //   app.calm       true where people asked their system for less motion: do not start animations by yourself
 
 import { LONG_ADDRESS, addressOf, shortAddressOf, stateIn } from "./address.js";
+import { Bench } from "../bat/bench.js";
 import { Chip } from "../bat/chip.js";
 import { drawerOf } from "./drawer.js";
 import { defaultsOf, fieldsOf } from "../controls/fields.js";
-import { guide, welcome } from "./guide.js";
+import { guide } from "./guide.js";
 import { Later } from "./later.js";
 import { Lists } from "./lists.js";
 import { byId, partOf, write } from "../controls/parts.js";
@@ -46,9 +49,9 @@ import { Line } from "./socket.js";
 import { showAbsent, showFaults, showStatus } from "./status.js";
 import { Steps } from "../controls/steps.js";
 import { explain, listTerms } from "./terms.js";
-import { exportButton, stepButton, switchOf, themeButton } from "./toolbar.js";
+import { exportButton, menuButton, stepButton, switchOf, themeButton } from "./toolbar.js";
 import { text } from "../controls/units.js";
-import { fillBar, pointBar } from "./viewbar.js";
+import { HOME, fillBar, pointBar } from "./viewbar.js";
 import { fetchOthers, fetched } from "./viewfiles.js";
 /** @import { Answers, Asides, BallPicture, BatState, Catalogue, HitConditions, States, UsualHit } from "../answers.js" */
 /** @import { Property, Schema } from "../controls/fields.js" */
@@ -87,9 +90,9 @@ const MEANINGS = "meanings of words";
 /** @typedef {{ field: string, message: string, words?: Record<System, string>, more?: Fault[], again?: boolean }} Fault words: for readers of either system, where it tells lengths or weights */
 /** @typedef {{ commit?: boolean, merge?: string | null, instead?: boolean }} Step how a change goes into the address */
 /** @typedef {{ field: string, follows?: boolean, sync: (state: State) => void, fault?: (message: string) => void }} Control */
-/** @typedef {{ name: string, title: string, schema: Record<string, Property>, bat: string[] }} Entry */
+/** @typedef {{ name: string, title: string, group: string, schema: Record<string, Property>, bat: string[] }} Entry group: of views; none for the first page */
 /** @typedef {[string, string][]} Guide title and words of each step */
-/** @typedef {{ update(answer: Answer, state: State): void, unmount?(): void, figures?(): Figure[], table?(): Record<string, unknown[]> }} View */
+/** @typedef {{ update(answer: Answer, state: State): void, unmount?(): void, other?(kind: string): void, bring?(files: File[]): void | Promise<void>, figures?(): Figure[], table?(): Record<string, unknown[]> }} View */
 /** @template {ViewName} Name @typedef {{ aside<Aside extends keyof Asides[Name]>(name: Aside, but: string[], wait: number, onAnswer: (answer: Asides[Name][Aside]) => void): void }} AsidesOf */
 /** @template {ViewName} Name @typedef {AsidesOf<Name> & App<Answers[Name] & Answer>} AppOf */
 
@@ -109,8 +112,8 @@ export class App {
 
   constructor() {
     /** @type {Map<string, Entry>} */
-    this.views = new Map(facts.views.map((/** @type {{ name: string, title: string, schema: Schema }} */ { name, title, schema }) => [
-      name, { name, title, schema: fieldsOf(schema), bat: Object.keys(schema.$defs?.BatState?.properties ?? {}) }]));
+    this.views = new Map(facts.views.map((/** @type {{ name: string, title: string, group: string, schema: Schema }} */ { name, title, group, schema }) => [
+      name, { name, title, group, schema: fieldsOf(schema), bat: Object.keys(schema.$defs?.BatState?.properties ?? {}) }]));
     const units = new URLSearchParams(location.search).get("units") ?? localStorage.getItem("units"); // a shared picture has its own
     /** @type {System} */
     this.units = units === "si" ? "si" : "us";
@@ -138,6 +141,7 @@ export class App {
     this.answer = null;
     this.version = facts.version;
     this.chip = new Chip(this);
+    this.bench = new Bench(this);
     this.line = new Line({
       apart: true,
       onAnswer: (view, answer, state) => view === this.name && this.answers(/** @type {Own} */ (answer), state),
@@ -194,6 +198,7 @@ export class App {
     this.left.set(this.name, state);
     this.line.ask(this.name, state);
     for (const control of this.controls.values()) control.sync(state);
+    this.bench.sync();
     this.chip.sync();
   }
 
@@ -289,6 +294,7 @@ export class App {
     write(byId("swung"), swung);
     byId("swung").hidden = !swung;
     this.view.update(this.answer, this.answered ?? this.state);
+    this.bench.update();
     this.explain();
   }
 
@@ -304,8 +310,8 @@ export class App {
     this.waits(QUESTION);
     this.turn += 1;
     const turn = this.turn;
-    const name = location.pathname.split("/").at(-1) || "explorer";
-    const entry = this.views.get(name) ?? this.entry("explorer");
+    const name = location.pathname.split("/").at(-1) || HOME;
+    const entry = this.views.get(name) ?? this.entry(HOME);
     if (entry.name !== this.name || !this.view || this.hollow) {
       let view;
       try {
@@ -395,9 +401,7 @@ export class App {
     this.redraw();
     this.chip.sync();
     byId("view").dataset.answered = String(Number(byId("view").dataset.answered ?? 0) + 1);
-    if (!first || this.embedded) return;
-    welcome(this);
-    fetchOthers(this); // so that the other views are there at once, even without a server
+    if (first && !this.embedded) fetchOthers(this); // so that the other views are there at once, even without a server
   }
 
   // Say beside each control what is wrong with it, and on top what belongs to none; without any picture, draw the first.
@@ -412,7 +416,7 @@ export class App {
   /** @param {Fault[]} faults */
   say(faults) {
     this.faults = faults;
-    showFaults(faults, this.controls, this.units);
+    showFaults(faults, new Map([...this.bench.desk.controls, ...this.controls]), this.units);
   }
 
   // Every control of this view as it is in the first picture.
@@ -426,11 +430,12 @@ export class App {
     byId("tools").append(switchOf("units", [["us", "US"], ["si", "SI"]], this.units, (units) => this.setUnits(units)));
     byId("tools").append(stepButton("undo", "↶", "Undo (Ctrl+Z)", () => this.steps.undo(-1)), stepButton("redo", "↷", "Redo (Ctrl+Y)", () => this.steps.undo(1)),
       themeButton(() => this.readColors(true)), shareButton(this), exportButton(this), guide(this));
+    menuButton();
     document.body.classList.toggle("embed", this.embedded);
     this.steps.mark();
     byId("chip").append(this.chip.element);
     byId("terms").addEventListener("click", () => listTerms(this));
-    partOf(byId("fault"), "button", HTMLElement).addEventListener("click", () => this.reset());
+    for (const anew of [byId("anew"), partOf(byId("fault"), "button", HTMLElement)]) anew.addEventListener("click", () => this.reset());
     addEventListener("popstate", () => {
       this.steps.arrive();
       this.go();
@@ -467,6 +472,7 @@ export class App {
     this.units = units;
     localStorage.setItem("units", units);
     for (const control of this.controls.values()) control.sync(this.state);
+    this.bench.sync();
     if (this.faults.length) this.say(this.faults);
     this.redraw();
   }

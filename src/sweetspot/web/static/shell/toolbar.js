@@ -1,5 +1,6 @@
 // The buttons of the page's head: undo and redo, units, light or dark, export.
 
+import { byId } from "../controls/parts.js";
 /** @import { App } from "./main.js" */
 
 /** @param {string} id @param {string} words @param {string} title @param {() => void} act */
@@ -50,6 +51,17 @@ export function themeButton(onChange) {
   });
   label();
   return button;
+}
+
+// On a narrow page the tools lie behind a button of their own.
+export function menuButton() {
+  const menu = byId("menu"), tools = byId("tools");
+  const turn = (/** @type {boolean} */ open) => {
+    tools.classList.toggle("open", open);
+    menu.setAttribute("aria-expanded", String(open));
+  };
+  menu.addEventListener("click", () => turn(!tools.classList.contains("open")));
+  addEventListener("keydown", ({ key }) => key === "Escape" && tools.contains(document.activeElement) && (turn(false), menu.checkVisibility() && menu.focus()));
 }
 
 // What it opens is fetched when first wanted.

@@ -1,7 +1,7 @@
 // Compare: up to four bats in the same hands, or what a hole or another wall makes of one; curves, verdict, rules.
 
 import { Chart } from "../charts/chart.js";
-import { Bench, ballGroup, swingGroup, usualChoice } from "../bat/bench.js";
+import { ballGroup, swingGroup, usualChoice } from "../bat/swing.js";
 import { choice, group, slider, words } from "../controls/controls.js";
 import { HowSure } from "../controls/howsure.js";
 import { make, paragraphs, section, tableOf, tell, withDoubt } from "../controls/parts.js";
@@ -39,7 +39,6 @@ export default class CompareView {
     this.certified = null;
     this.ruled = ""; // the system of units in which it is shown
     this.rulesOpen = false;
-    this.bench = new Bench(app);
     this.slots = new Slots(app);
     const hole = make("div", {},
       slider(app, "hole_diameter_in", { label: "Hole, width", step: 0.05 }),
@@ -61,7 +60,7 @@ export default class CompareView {
         choice(app, "same", { label: "Swung with", options: [["effort", "the same effort"], ["speed", "the same bat speed"]] }),
         usualChoice(app, "swing_law", { label: "Players", options: [["baseball", "baseball"], ["slow-pitch", "slow-pitch softball"]] }),
       ]),
-      this.bench.element, this.slots.element, swingGroup(app, { title: "Swing of bat 1, and pitch", asked: false }), ballGroup(app),
+      this.slots.element, swingGroup(app, { title: "Swing of bat 1, and pitch", asked: false }), ballGroup(app),
     );
     this.words = make("div", { className: "words", id: "verdict" });
     this.chart = new Chart(app, { label: "Curves along the bats, tips aligned", panels: [], axis: { kind: "position_m", from: () => this.longest, label: "from the tip" } });
@@ -85,7 +84,6 @@ export default class CompareView {
   update(answer, state) {
     this.answer = answer;
     this.longest = Math.max(...answer.bats.map(({ bat }) => bat.length_m));
-    this.bench.update(answer);
     this.slots.update(answer, state);
     this.rows.draw(answer.bats, this.longest, answer.fastest[this.app.units].join(" "));
     const asked = JSON.stringify({ ...state, league: null });

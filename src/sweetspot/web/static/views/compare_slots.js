@@ -1,7 +1,7 @@
 // The bats beside the first one: each chosen from the catalogue or a file, each changed as a workshop would.
 
 import { checked, textOf } from "../bat/batfile.js";
-import { batChoice, workshop } from "../bat/bench.js";
+import { batChoice, workshop } from "../bat/workshop.js";
 import { unchanged } from "../bat/unchanged.js";
 import { button, faultPlace } from "../controls/controls.js";
 import { make, scoped } from "../controls/parts.js";

@@ -1,7 +1,7 @@
 // Design: pull a bat into shape for a batter; what it weighs, whether it is allowed and what it gains follow at once.
 
 import { BatView } from "../bat/batview.js";
-import { Bench, ballGroup, swingGroup } from "../bat/bench.js";
+import { ballGroup, swingGroup } from "../bat/swing.js";
 import { unchanged } from "../bat/unchanged.js";
 import { Chart } from "../charts/chart.js";
 import { button, choice, group, reveal, slider, toggle } from "../controls/controls.js";
@@ -54,7 +54,6 @@ export default class DesignView {
     this.own = []; // of the bat's numbers
     this.about = ""; // what the gain is about
     this.made = ""; // for which numbers
-    this.bench = new Bench(app, { open: false });
     this.picture = new BatView(app, { onBall() {}, onStations: (stations, { last }) => this.pulled(stations, last), label: "The bat that is shaped" });
     this.picture.drawing = true;
     this.picture.element.classList.add("pinned");
@@ -114,7 +113,7 @@ export default class DesignView {
       group("Other sports", [make("p", { className: "note" },
         "Here bats of baseball and softball are designed. Cricket bats, rackets and golf clubs have a few numbers of their own, and the command designs them: ",
         make("code", { textContent: "sweetspot design cricket-bat --out blade" }), ", ", make("code", { textContent: "tennis-racket" }), ", ", make("code", { textContent: "golf-driver" }), ".")], { open: false }),
-      group("The bat's numbers", [this.numbers], { open: false }), this.bench.element, swingGroup(app, { open: false }), ballGroup(app));
+      group("The bat's numbers", [this.numbers], { open: false }), swingGroup(app, { open: false }), ballGroup(app));
   }
 
   // A batter from swings: a table, an answer of fit-player, or the table of the Player view.
@@ -136,13 +135,16 @@ export default class DesignView {
       }
       file.removeAttribute("aria-busy");
     };
-    file.addEventListener("change", async () => {
-      const chosen = file.files?.[0];
+    this.bring = async (/** @type {File[]} */ [chosen]) => {
       if (!chosen) return;
       const text = await chosen.text();
-      file.value = "";
       if (text.length > LONGEST) refuse(`${chosen.name} has ${text.length} letters; at most ${LONGEST}. Bring it to the view Player, which takes longer ones, and come back.`);
       else read(text);
+    };
+    file.addEventListener("change", () => {
+      const files = [...(file.files ?? [])];
+      file.value = "";
+      this.bring?.(files);
     });
     const { swings_csv: known, swings_of: whose } = app.left.get("player") ?? {};
     return make("div", { className: "own" }, make("label", { htmlFor: "batter-file", textContent: `Or from swings (CSV, or player.json of fit-player; up to ${grouped(LONGEST)} letters)` }), file, wrong,
@@ -212,7 +214,6 @@ export default class DesignView {
   update(answer, state) {
     this.answer = answer;
     const { app } = this;
-    this.bench.update(answer);
     this.sliders(answer.variables);
     const { design } = answer;
     this.picture.draw({ bat: design, ghost: answer.present });

@@ -1,7 +1,8 @@
 // Explorer: the bat to scale with its sweet spots; below it, on the same axis, what a hit at each place gives and why.
 
+import { slideByKeys, tellPlace, within } from "../bat/ballslider.js";
 import { BatView } from "../bat/batview.js";
-import { Bench, ballGroup, swingGroup } from "../bat/bench.js";
+import { ballGroup, swingGroup } from "../bat/swing.js";
 import { Chart } from "../charts/chart.js";
 import { button, group, slider } from "../controls/controls.js";
 import { gripsOf } from "../bat/grips.js";
@@ -74,7 +75,7 @@ export default class ExplorerView {
     const onPick = (/** @type {number} */ position, /** @type {{ last: boolean }} */ { last }) => this.moveBall(position, last);
     this.picture = new BatView(app, {
       zoom: this.zoom, onBall: onPick,
-      onStations: (stations, { last }) => this.bench.reshape(stations, last),
+      onStations: (stations, { last }) => app.bench.reshape(stations, last),
       onGrip: (change, { last }) => this.app.setState(change, { commit: last }),
     });
     const axis = { kind: "position_m", from: () => app.answer?.bat.length_m ?? 0.84, label: "from the tip" };
@@ -83,8 +84,7 @@ export default class ExplorerView {
       label: "Exit speed over the barrel", title: "Exit speed, where the ball goes forward", height: 150, zoom: this.zoom, x: axis,
       y: { kind: "offset_m", label: "ball above the axis" }, z: { kind: "exit_speed_m_s" }, onPick: (x, y, { last }) => this.moveBall(x, last, y),
     });
-    this.bench = new Bench(app, { picture: this.picture });
-    const side = make("div", { className: "side" }, this.bench.element, swingGroup(app), group("Impact", [
+    const side = make("div", { className: "side" }, swingGroup(app), group("Impact", [
       slider(app, "impact_from_tip_in", { label: "From the tip", step: 0.1 }),
       slider(app, "offset_in", { label: "Ball above the bat's axis", step: 0.05 }),
     ]), ballGroup(app));
@@ -105,7 +105,8 @@ export default class ExplorerView {
     const picture = make("section", { className: "picture", ariaLabel: "Bat and curves" },
       tools, this.picture.element, this.facts.element, this.why, this.power.element, this.power.numbers.element, this.chart.element, this.again, this.bars, this.known, this.report, this.sure.element);
     root.append(this.words, side, picture);
-    this.handle();
+    this.picture.element.classList.add("pinned");
+    slideByKeys(app, this.picture, () => app.answer);
   }
 
   switchHeat() {
@@ -114,33 +115,12 @@ export default class ExplorerView {
     this.paint();
   }
 
-  // The picture is also a slider for those who use the keyboard.
-  handle() {
-    const canvas = this.picture.element;
-    canvas.classList.add("pinned");
-    canvas.tabIndex = 0;
-    canvas.setAttribute("role", "slider");
-    canvas.addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => {
-      const step = { ArrowLeft: 0.1, ArrowDown: 0.1, ArrowRight: -0.1, ArrowUp: -0.1, PageUp: -1, PageDown: 1, Home: 99, End: -99 }[event.key];
-      if (step === undefined || !this.app.answer) return;
-      event.preventDefault();
-      this.app.setState({ impact_from_tip_in: this.within(this.app.state.impact_from_tip_in + step) }, { merge: "keys on the picture" });
-    });
-  }
-
-  /** @param {number} inches */
-  within(inches) {
-    const { bat, hands_m: hands } = this.app.answer ?? { bat: { length_m: 1 }, hands_m: [0] };
-    const most = (bat.length_m - hands[0]) / INCH;
-    return Math.round(100 * Math.min(most, Math.max(0, inches))) / 100;
-  }
-
   /** @param {number} position @param {boolean} last @param {number} [offset] */
   moveBall(position, last, offset) {
     const { answer, schema: { offset_in: { minimum = -Infinity, maximum = Infinity } } } = this.app;
     if (!answer) return;
     /** @type {Partial<State>} */
-    const change = { impact_from_tip_in: this.within((answer.bat.length_m - position) / INCH) };
+    const change = { impact_from_tip_in: within(answer, (answer.bat.length_m - position) / INCH) };
     if (offset !== undefined) {
       const inches = Math.round((20 * offset) / INCH) / 20;
       change.offset_in = Math.abs(inches) < 0.08 ? 0 : Math.min(maximum, Math.max(minimum, inches));
@@ -158,7 +138,6 @@ export default class ExplorerView {
     this.paint();
     this.facts.fill(answer);
     this.say(answer);
-    this.bench.update(answer);
     this.app.aside("map", ELSEWHERE, 150, (map) => {
       this.map = map;
       this.paint();
@@ -175,6 +154,7 @@ export default class ExplorerView {
   paint() {
     const { answer, map } = this;
     if (!answer) return;
+    this.picture.drawing = this.app.bench.drawing;
     const { bat, sweet_spots: spots, scan, hit, hands_m } = answer, offset_m = this.offset * INCH;
     const { exit_speed_m_s, collision_efficiency, bbcor, hand_impulse_n_s, sting_m_s } = hit;
     const speeds = scan.exit_speed_m_s, most = Math.max(...speeds.filter((value) => value !== null));
@@ -220,9 +200,7 @@ export default class ExplorerView {
     this.picture.label(`Ball along the bat. ${words}`);
     this.chart.label(`Curves along the bat. ${words} ${reasons}`);
     this.power.label(`Exit speed over the barrel and how far off its axis the ball is met. ${words}`);
-    const inches = (/** @type {number} */ metres) => (metres / INCH).toFixed(2);
-    const slider = { min: inches(hands[0]), max: inches(bat.length_m), now: inches(hit.position_m), text: place[units] }; // from the knob, so that right is more
-    for (const [name, value] of Object.entries(slider)) this.picture.element.setAttribute(`aria-value${name}`, value);
+    tellPlace(this.picture, { bat, hands_m: hands }, hit.position_m, place[units]);
   }
 
   figures() { return [this.picture.figure("bat"), ...(this.map ? [this.power.figure("map")] : []), this.chart.figure("curves")]; }

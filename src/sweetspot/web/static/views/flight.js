@@ -1,6 +1,6 @@
 // Flight: the path from the side and from above over a park, in its air and wind; over which fences the ball goes.
 
-import { Bench, ballGroup, swingGroup } from "../bat/bench.js";
+import { ballGroup, swingGroup } from "../bat/swing.js";
 import { button, choice, group, slider, toggle } from "../controls/controls.js";
 import { HeatMap } from "../charts/heatmap.js";
 import { HowSure } from "../controls/howsure.js";
@@ -47,8 +47,7 @@ export default class FlightView {
     this.stop = null; // of a ball on its way
     this.otherFences = false; // whether they are drawn
     const own = ballControls(app), hint = make("p", { className: "note", textContent: "Drag the place where the ball comes down; press the map to launch it so; drag the wind's arrow." });
-    this.bench = new Bench(app, { open: false });
-    const swung = make("div", { className: "side" }, ...swingControls(app), this.bench.element, ballGroup(app));
+    const swung = make("div", { className: "side" }, ...swingControls(app), ballGroup(app));
     app.control({ field: "parts of start", sync: ({ start }) => {
       own.hidden = start !== "ball";
       swung.hidden = start === "ball";
@@ -155,7 +154,6 @@ export default class FlightView {
 
   /** @param {Answers["flight"]} answer @param {States["flight"]} state */
   update(answer, state) {
-    this.bench.update(answer);
     this.showElevation(answer, state);
     const { units } = this.app;
     const words = answer.headline[units].join(" ");

@@ -1,7 +1,7 @@
 // The hit in slow motion: ball, bat and wall at one moment, and force, hands and energy over time.
 
 import { Chart } from "../charts/chart.js";
-import { Bench, ballGroup, swingGroup } from "../bat/bench.js";
+import { ballGroup, swingGroup } from "../bat/swing.js";
 import { group, slider, toggle } from "../controls/controls.js";
 import { Film, LEAD } from "../bat/film.js";
 import { paintEnd, paintSide, sideHeight } from "../bat/filmscene.js";
@@ -65,7 +65,6 @@ export default class HitView {
     this.words = make("p", { className: "verdict flow", id: "verdict" });
     this.facts = factList(FACTS, app);
     this.sure = new HowSure(app, { but: FILMED });
-    this.bench = new Bench(app, { open: false });
     root.append(
       make("div", { className: "side" },
         group("Hit", [
@@ -78,7 +77,7 @@ export default class HitView {
           slider(app, "duration_ms", { label: "Lasts, after first touch", step: 0.5 }),
           toggle(app, "recoil", { label: "Show the whole motion", note: "Without: the bending alone, the bat's push back and turn left out." }),
         ]),
-        swingGroup(app), this.bench.element, ballGroup(app)),
+        swingGroup(app), ballGroup(app)),
       make("section", { className: "picture", ariaLabel: "The hit in slow motion" }, this.words, this.side.element, this.transport.element,
         make("div", { className: "film-pair" }, this.end.element, make("div", {}, this.chart.element, this.ledger.chart.element)), // one width, so that a moment stands at one place in both
         this.ledger.element, this.facts.element, this.sure.element));
@@ -94,7 +93,6 @@ export default class HitView {
     this.sure.update();
     const renamed = this.ledger.set(film, this.series);
     this.transport.set({ from: -LEAD, to: film.end, frames: film.times, slowness: state.slowness });
-    this.bench.update(answer);
     this.say(answer);
     if (renamed || !this.transport.moving) this.paint(); // while it plays, every frame does
     if (!this.started && !this.app.calm && !new URLSearchParams(location.search).has("moment_ms")) {

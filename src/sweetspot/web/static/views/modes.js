@@ -1,6 +1,6 @@
 // Modes: how a bat moves and rings, where each motion stands still, and what a tap excites.
 
-import { Bench } from "../bat/bench.js";
+
 import { button, group, slider, toggle } from "../controls/controls.js";
 import { Stage, paintMotion } from "../bat/modescene.js";
 import { Numbers, evenly } from "../charts/numbers.js";
@@ -54,7 +54,7 @@ export default class ModesView {
     this.toggle.id = "play";
     this.speed = make("span", { className: "note" });
     const row = make("div", { className: "transport" }, this.toggle,
-      button("Listen to the tap", () => strike(this.answer), { title: "The motions at their frequencies, dying away as they do" }), this.speed);
+      button("Listen to the tap", () => strike((this.answer?.modes ?? []).map(({ tap, ...tone }) => ({ ...tone, energy_share: tap.energy_share }))), { title: "The motions at their frequencies, dying away as they do" }), this.speed);
     this.rowsBox = make("div", { className: "scroll", tabIndex: 0, role: "region", ariaLabel: "List of the motions" });
     this.aside = make("p", { className: "note" });
     this.more = button("", () => {
@@ -62,10 +62,8 @@ export default class ModesView {
       if (this.answer) this.list(this.answer);
     });
     this.numbers = new Numbers(app, "This motion as a table", () => this.answer && this.tabled(this.answer));
-    this.bench = new Bench(app);
     root.append(
       make("div", { className: "side" },
-        this.bench.element,
         group("Tap", [
           toggle(app, "held", { label: "Typical hands hold the bat", note: "Without hands it hangs free, as in a laboratory." }),
           slider(app, "tap_from_tip_in", { label: "Where, from the tip", step: 0.1 }),
@@ -95,7 +93,6 @@ export default class ModesView {
   /** @param {ModesAnswer} answer @param {States["modes"]} state */
   update(answer, state) {
     Object.assign(this, { answer, state });
-    this.bench.update(answer);
     this.list(answer);
     this.say(answer);
     this.numbers.redraw();

@@ -1,6 +1,6 @@
 // The best way to hit: the launch angle of an exit speed, the swing at a pitch, and every park's slowest home run.
 
-import { Bench, ballGroup, swingGroup, usualChoice } from "../bat/bench.js";
+import { ballGroup, swingGroup, usualChoice } from "../bat/swing.js";
 import { group, slider } from "../controls/controls.js";
 import { DocumentPlace } from "../controls/document.js";
 import { HeatMap } from "../charts/heatmap.js";
@@ -8,6 +8,18 @@ import { make, section, tell } from "../controls/parts.js";
 import { MPH } from "../controls/units.js";
 /** @import { LaunchAnswer } from "../answers.js" */
 /** @import { AppOf, Guide } from "../shell/main.js" */
+
+const LEAST = 0.005; // a chance below which nothing is shown
+
+// The part of a map where there is any chance, and the cross: from and to across and upwards; all of it where there is none.
+/** @param {number[]} x @param {number[]} y @param {(number | null)[][]} z @param {number[]} cross */
+function around(x, y, z, cross) {
+  const rows = y.filter((_, j) => z[j].some((value) => (value ?? 0) >= LEAST)), columns = x.filter((_, i) => z.some((row) => (row[i] ?? 0) >= LEAST));
+  if (rows.length < 2 || columns.length < 2) return {};
+  /** @type {(all: number[], some: number[], also: number) => [number, number]} */
+  const span = (all, some, also) => [Math.max(all[0], Math.min(some[0], also) - (all[1] - all[0])), Math.min(all[all.length - 1], Math.max(some[some.length - 1], also) + (all[1] - all[0]))];
+  return { range: span(x, columns, cross[0]), heights: span(y, rows, cross[1]) };
+}
 
 export default class OptimumView {
   /** @type {Guide} */
@@ -22,7 +34,6 @@ export default class OptimumView {
     this.app = app;
     /** @type {LaunchAnswer | null} */
     this.answer = null;
-    this.bench = new Bench(app, { open: false });
     const pitches = app.lists("pitches").then(({ pitches: all }) => all.map(({ key, name }) => [key, name]));
     const parks = app.lists("parks").then((lists) => lists.parks.map(({ key, name }) => [key, name]));
     const side = make("div", { className: "side" },
@@ -34,7 +45,7 @@ export default class OptimumView {
         slider(app, "exit_speed_mph", { label: "Exit speed", step: 0.5 }),
         slider(app, "backspin_rpm", { label: "Backspin", step: 50 }),
         usualChoice(app, "park", { label: "Park", options: parks }),
-      ]), this.bench.element, swingGroup(app, { title: "Swing", pitched: false }), ballGroup(app));
+      ]), swingGroup(app, { title: "Swing", pitched: false }), ballGroup(app));
     this.words = make("p", { className: "verdict", id: "verdict" });
     const onPick = (/** @type {number} */ speed, /** @type {number} */ _, /** @type {{ last: boolean }} */ { last }) => (
       app.setState({ exit_speed_mph: Math.round(2 * Math.min(120, Math.max(50, speed / MPH))) / 2 }, { commit: last }));
@@ -55,14 +66,13 @@ export default class OptimumView {
   /** @param {LaunchAnswer} answer */
   update(answer) {
     this.answer = answer;
-    this.bench.update(answer);
     const { launch, map } = answer;
     const words = answer.words[this.app.units].join(" ");
     tell(this.words, words);
     this.app.announce(words);
     const [x, y, cross] = [map.exit_speed_m_s, map.launch_angle_rad, [launch.exit_speed_m_s, launch.launch_angle_rad]];
     this.map.draw({ x, y, z: map.carry_m, cross });
-    this.chances.draw({ x, y, z: map.chance, cross });
+    this.chances.draw({ x, y, z: map.chance, cross, ...around(x, y, map.chance, cross) });
     const chance = answer.chances[this.app.units].join(" ");
     this.park.textContent = chance;
     this.chances.label(`${chance} The table below has its numbers.`);

@@ -2,7 +2,7 @@
 // to a racket, cricket bat, club or stick as well.
 
 import { BatView } from "../bat/batview.js";
-import { Bench } from "../bat/bench.js";
+
 import { unchanged } from "../bat/unchanged.js";
 import { button, choice, group, slider } from "../controls/controls.js";
 import { download } from "../shell/download.js";
@@ -36,7 +36,6 @@ export default class OwnView {
     this.app = app;
     /** @type {OwnAnswer | null} */
     this.answer = null;
-    this.bench = new Bench(app);
     this.picture = new BatView(app, { label: "The bat" });
     this.picture.element.classList.add("pinned");
     this.tap = new TapPlace(app);
@@ -61,7 +60,7 @@ export default class OwnView {
     this.unlike = make("p", { className: "contradicts", hidden: true, textContent: "No single measurement explains the contradiction. Look here first: is this its outline, and its wood or wall?" });
     const side = make("div", { className: "side" },
       group("What is measured", [this.kind(app), make("p", { className: "note", textContent: "A racket, club or stick of your own: bring its file to Every sport, and measure it from there." })]),
-      this.unlike, this.bench.element,
+      this.unlike,
       group("Scale", this.measured("weighed_oz", "It weighs", 0.05, "weighed_error_oz", 0.01, "Move the slider, or type what the scale says.")),
       group("Balance", this.measured("balanced_in", () => `Balances, from the ${butt()}`, 0.05, "balanced_error_in", 0.01, "Lay it across an edge.")),
       group("Pendulum or swing weight", [...this.measured("pendulum_ms", "One full swing takes", 0.5, "pendulum_error_ms", 0.1, "Time ten small swings, there and back; a tenth of that."),
@@ -83,6 +82,9 @@ export default class OwnView {
       section("Tap it", this.tap.element), section("How sure", this.values, this.doubt, this.rules.element)));
     takeDrops(root, SOUND, app.signal, (sounds) => this.tap.add(sounds));
   }
+
+  /** @param {File[]} sounds */
+  bring(sounds) { return this.tap.add(sounds); }
 
   // The list of what can be measured: a bat of the bench, or something of another sport.
   /** @param {AppOf<"own">} app */
@@ -147,10 +149,9 @@ export default class OwnView {
     this.answer = answer;
     const { app } = this, { bat, contradictions, headline, measurements, values } = answer;
     const round = bat.outline !== null;
-    this.bench.element.hidden = this.picture.element.hidden = this.league.hidden = this.ofBat.hidden = !round;
+    this.picture.element.hidden = this.league.hidden = this.ofBat.hidden = !round;
     if (bat.outline !== null) {
-      this.bench.update({ bat });
-      this.picture.draw({ bat: { ...bat, balance_point_m: answer.fitted.balance_point_m } });
+        this.picture.draw({ bat: { ...bat, balance_point_m: answer.fitted.balance_point_m } });
     }
     this.onward.textContent = round ? "Put it on the bench" : "Hit with it in Every sport";
     this.onward.title = round ? "From now on it is the bat of every view" : "";

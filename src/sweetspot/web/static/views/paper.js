@@ -1,6 +1,7 @@
 // The paper: one question after the other, its claim and formula with numbers that can be moved, and the full model.
 
-import { Bench, FILLS, ballGroup, swingGroup } from "../bat/bench.js";
+import { ballGroup, swingGroup } from "../bat/swing.js";
+import { FILLS } from "../bat/workshop.js";
 import { button, choice, group, slider } from "../controls/controls.js";
 import { mathOf, typeset } from "../controls/formula.js";
 import { inReadersUnit, make, section, tableOf, tell } from "../controls/parts.js";
@@ -67,7 +68,6 @@ export default class PaperView {
     this.sliders = group("Move it", Object.values(this.own));
     this.sliders.classList.add("across");
     app.control({ field: "question", sync: ({ question }) => this.choose(question) });
-    this.bench = new Bench(app, { open: false });
     this.said = make("div", { className: "claim" });
     this.formulas = make("div", { className: "formulas", tabIndex: 0, role: "region", ariaLabel: "Formulas" }); // a long one is wider than a phone
     this.live = make("div", { className: "live" }); // with the numbers of now
@@ -79,10 +79,9 @@ export default class PaperView {
     this.next = button("Next question", () => this.go(1), { primary: true });
     this.title = make("h1");
     root.append(
-      make("div", { className: "side" }, nav, this.bench.element, swingGroup(app, { open: false }), ballGroup(app)),
-      make("div", { className: "stack" }, this.title, section("The paper says", this.said, this.formulas, this.slips),
-        this.sliders, section("What the full model says", this.truth, this.picture),
-        section("Statement by statement", this.rows), make("div", { className: "row" }, this.back, this.next)));
+      make("div", { className: "side" }, nav, swingGroup(app, { open: false }), ballGroup(app)),
+      make("div", { className: "stack" }, this.title, section("What the full model says", this.picture, this.truth), this.sliders,
+        section("The paper says", this.said, this.formulas, this.slips), section("Statement by statement", this.rows), make("div", { className: "row" }, this.back, this.next)));
   }
 
   /** @param {string} question */
@@ -109,7 +108,6 @@ export default class PaperView {
     const { units } = this.app;
     if (this.answer?.question !== answer.question) this.show(answer);
     this.answer = answer;
-    this.bench.update(answer);
     this.live.replaceChildren(...answer.live[units].map((source) => formulaRow("now", source, "")));
     const truth = answer.truth[units].join(" ");
     tell(this.truth, truth);

@@ -1,6 +1,6 @@
 // The player: a table of measured swings, what it says of bat speed and scatter, and which bat and place serve.
 
-import { Bench } from "../bat/bench.js";
+
 import { button, choice, faultPlace, group, slider } from "../controls/controls.js";
 import { DocumentPlace } from "../controls/document.js";
 import { Numbers } from "../charts/numbers.js";
@@ -30,9 +30,12 @@ export default class PlayerView {
     this.app = app;
     /** @type {Answers["player"] | null} */
     this.answer = null;
-    this.bench = new Bench(app, { open: false });
     const file = make("input", { type: "file", id: "swings-file", accept: ".csv,.tsv,.txt,.gz,.parquet,text/csv,text/plain" });
-    file.addEventListener("change", () => this.read(file));
+    file.addEventListener("change", () => {
+      const chosen = [...(file.files ?? [])];
+      file.value = "";
+      this.bring(chosen);
+    });
     this.whose = new Filter(app, "swings_of", { label: "Whose swings", all: "the first in the alphabet" });
     const side = make("div", { className: "side" },
       group("The swings", [
@@ -40,8 +43,7 @@ export default class PlayerView {
         slider(app, "given_pitch_mph", { label: "Pitch, where a row has none", step: 1 }),
         this.whose.element, button("The example again", () => app.setState({ swings_csv: null, swings_of: null })),
       ]),
-      group("What is wanted", [choice(app, "goal", { label: "More", options: [["exit-speed", "exit speed"], ["carry", "carry"]] })]),
-      this.bench.element);
+      group("What is wanted", [choice(app, "goal", { label: "More", options: [["exit-speed", "exit speed"], ["carry", "carry"]] })]));
     this.words = make("p", { className: "verdict", id: "verdict" });
     this.bad = make("ul", { className: "note" });
     this.points = new Surface(app, { height: () => 260, paint: (...all) => this.paint(...all) });
@@ -53,11 +55,9 @@ export default class PlayerView {
       make("section", { className: "picture" }, this.report.element)));
   }
 
-  /** @param {HTMLInputElement} input */
-  async read(input) {
-    const file = input.files?.[0];
+  /** @param {File[]} files */
+  async bring([file]) {
     if (!file) return;
-    input.value = "";
     const { app } = this;
     const short = file.size <= LONGEST && !/\.(gz|parquet)$/i.test(file.name);
     if (file.size > LARGEST) {
@@ -80,7 +80,6 @@ export default class PlayerView {
   /** @param {Answers["player"]} answer */
   update(answer) {
     this.answer = answer;
-    this.bench.update(answer);
     this.whose.fill(answer.batters.map((name) => [name]));
     this.words.textContent = answer.words;
     this.app.announce(answer.words);

@@ -1,6 +1,6 @@
 // Season: tables of balls in play of any size, read on the server; who did what, where on the barrel and on the field.
 
-import { Bench } from "../bat/bench.js";
+
 import { button, choice, group } from "../controls/controls.js";
 import { DocumentPlace } from "../controls/document.js";
 import { factList, make, section as titled, showWords, tell } from "../controls/parts.js";
@@ -39,7 +39,6 @@ export default class SeasonView {
     this.answer = null;
     /** @type {SeasonMaps | null} */
     this.found = null; // of the chosen balls
-    this.bench = new Bench(app, { open: false });
     this.reading = new Reading(app, { onSeason: (read) => app.setState({ ...read, ...EVERYBODY }) });
     this.filters = FILTERS.map(([field, label, all]) => new Filter(app, field, { label, all }));
     this.players = new Players(app);
@@ -63,16 +62,17 @@ export default class SeasonView {
     this.which = group("Which balls", [this.players.element, ...this.filters.map(({ element }) => element), button("All balls again", () => app.setState(EVERYBODY))]);
     root.append(make("div", { className: "side" },
       group("Tables", [this.reading.chooser]), this.which,
-      group("Fence on the field", [choice(app, "fence", { label: "Park", options: app.lists("parks").then(({ parks }) => [["", "As above, else Fenway Park"], ...parks.map(({ key, name }) => [key, name])]), take: (key) => app.setState({ fence: key || null }) })], { open: false }),
-      this.bench.element),
+      group("Fence on the field", [choice(app, "fence", { label: "Park", options: app.lists("parks").then(({ parks }) => [["", "As above, else Fenway Park"], ...parks.map(({ key, name }) => [key, name])]), take: (key) => app.setState({ fence: key || null }) })], { open: false })),
     make("div", { className: "stack" }, make("section", { className: "picture" }, this.words, this.reading.element), this.told[0], this.told[1], this.player, ...this.told.slice(2)));
   }
+
+  /** @param {File[]} files */
+  bring(files) { return this.reading.hand(files); }
 
   /** @param {SeasonPicture} answer */
   update(answer) {
     this.answer = answer;
     const { app } = this, { season } = answer;
-    this.bench.update(answer);
     this.reading.draw(season);
     for (const part of this.told) part.hidden = !season;
     this.which.hidden = !season && !this.which.querySelector(".fault:not([hidden])");

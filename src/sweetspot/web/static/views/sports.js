@@ -1,19 +1,15 @@
 // Every sport: what one hits with, its face as a map, and what a hit at a place gives, in the sport's own words.
 
 import { Chart } from "../charts/chart.js";
-import { textOf } from "../bat/batfile.js";
-import { describeOwn } from "../bat/bench.js";
-import { button, choice, faultPlace, group, slider } from "../controls/controls.js";
+import { button, faultPlace, group, slider } from "../controls/controls.js";
 import { HeatMap } from "../charts/heatmap.js";
-import { factList, make, paragraphs, partOf, section, showWords, tell } from "../controls/parts.js";
+import { factList, make, paragraphs, section, tell } from "../controls/parts.js";
 import { INCH } from "../controls/units.js";
-import { takeDrops } from "../controls/upload.js";
 import { FORGOTTEN } from "./own_measured.js";
 /** @import { SportsPicture, SportsFace, SportsWords } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
 /** @import { AppOf, Guide, State } from "../shell/main.js" */
 
-const OWN = "own file";
 const PLACE = ["met_from_tip_in", "aside_in"]; // where the ball meets it changes neither map nor words
 
 /** @type {Fact<SportsPicture>[]} */
@@ -47,15 +43,11 @@ export default class SportsView {
     /** @type {SportsWords["sentences"] | null} */
     this.sentences = null;
     this.shown = ""; // the implement of both
-    const tools = app.lists("implements").then(({ implements: all }) => all.map(({ key, name, sport }) => [key, name, sport]));
     const usual = (/** @type {"swing_mph" | "incoming_mph"} */ name) => () => app.answer?.[name] ?? null;
     const side = make("div", { className: "side" },
-      group("What one hits with", [choice(app, "implement", { label: "Implement", options: tools,
-        shown: (state) => (state.implement_toml === null ? state.implement : OWN),
-        take: (implement) => implement !== OWN && app.setState({ ...app.defaults, implement }) }),
-      button("Describe yours by questions\u00a0…", () => describeOwn(app)), this.ownFile(app),
+      group("What one hits with", [make("div", { className: "row" }, button("Another one\u00a0…", () => app.bench.turn(true), { primary: true }),
       button("Weigh, balance and tap it", () => app.visitWith("own", { ...FORGOTTEN, pivot_in: null, implement: app.state.implement, implement_toml: app.state.implement_toml }),
-        { title: "In Own bat: from what you measure to this very one" })]),
+        { title: "In Own bat: from what you measure to this very one" })), faultPlace(app, ["implement", "implement_toml"])]),
       group("Stroke", [
         slider(app, "swing_mph", { label: () => `Speed of the ${this.ownWords().implement}`, step: 1, empty: usual("swing_mph") }),
         slider(app, "incoming_mph", { label: () => `Speed of the ${this.ownWords().ball} before`, step: 1, empty: usual("incoming_mph") }),
@@ -80,20 +72,6 @@ export default class SportsView {
     root.append(side, make("div", { className: "stack" },
       make("section", { className: "picture" }, this.words, this.map.element, this.again, this.map.numbers.element, this.facts.element, this.chart.element),
       section("Where it hits best, and why", this.report)));
-  }
-
-  // A file of one's own: chosen, or dropped anywhere on the view.
-  /** @param {AppOf<"sports">} app */
-  ownFile(app) {
-    const chosen = make("input", { type: "file", id: "implement-file", accept: ".toml,text/plain" });
-    const fault = faultPlace(app, ["implement_toml"]);
-    const read = (/** @type {File} */ file) => textOf(file).then((text) => app.setState({ ...app.defaults, implement_toml: text }), ({ message }) => showWords(fault, message));
-    chosen.addEventListener("change", () => {
-      if (chosen.files?.[0]) read(chosen.files[0]);
-      chosen.value = ""; // so that the same file can be chosen again once it is mended
-    });
-    takeDrops(partOf(document, "#view", HTMLElement), /\.toml$/i, app.signal, ([file]) => read(file));
-    return make("div", { className: "control" }, make("label", { htmlFor: chosen.id, textContent: "Your own (file, TOML)" }), chosen, fault);
   }
 
   // What its people call things; before the first answer, what everybody does.
