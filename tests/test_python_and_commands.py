@@ -130,8 +130,8 @@ ASKED: list[tuple[str, Callable[[], Any]]] = [
     ),
     ("season balls.csv --try mlb-a", lambda: door.season("balls.csv", others=["mlb-a"])),
 ]
-IN_WORDS = {"verdict", "findings", "answers", "words", "quantity", "comment"}
-"""What a command adds to an answer or to its rows: sentences."""
+IN_WORDS = {"verdict", "findings", "answers", "words", "quantity", "comment", "made_with"}
+"""What a command adds to an answer or to its rows: sentences, and what made it."""
 
 
 def one_tap() -> bytes:

@@ -45,7 +45,7 @@ from typing import Any
 
 from sweetspot.numerics.notebook_display import Renderer, ShownInNotebooks
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 _HOMES: Mapping[str, str] = {
     "": "catalog units",

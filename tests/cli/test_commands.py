@@ -14,6 +14,8 @@ from typing import Any
 import jsonschema
 import pytest
 
+import sweetspot
+
 Run = Callable[..., tuple[int, str, str]]
 RunJson = Callable[..., Any]
 
@@ -177,7 +179,7 @@ def test_as_a_program() -> None:
     helped = command("--help")
     assert helped.returncode == 0 and "report" in helped.stdout
     assert helped.stderr.splitlines() == []
-    assert command("--version").stdout.strip() == "0.1.0"
+    assert command("--version").stdout.split()[0] == sweetspot.__version__
     wrong = command("report", "nope")
     assert wrong.returncode == 2 and "Traceback" not in wrong.stderr and wrong.stdout == ""
 

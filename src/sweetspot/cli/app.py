@@ -7,7 +7,7 @@ from typing import Any
 
 from cyclopts import App, Group, Parameter
 
-from sweetspot import __version__
+from sweetspot.reports.build_info import version_words
 
 COMMANDS: Mapping[str, tuple[str, ...]] = {
     "report": ("report r161-ash", "report my-bat.toml --out report"),
@@ -87,7 +87,7 @@ def _told(default: Any) -> str | None:
 app = App(
     name="sweetspot",
     help="The open laboratory of the ball-bat collision: from a real bat's measurements to its sweet spots.",
-    version=__version__,
+    version=version_words,
     help_format="plaintext",
     help_epilogue=EVERY_COMMAND,
     default_parameter=Parameter(negative_iterable=(), show_default=_told),

@@ -113,7 +113,9 @@ def present(answer: Answer | Document, options: OutputOptions, *, long: bool = F
             long=long or options.details,
         )
     if options.format == "json":
-        print_json(document.data)
+        from sweetspot.reports.build_info import made_with
+
+        print_json({**document.data, "made_with": made_with()})
     elif options.format == "csv":
         print_csv(document.rows)
     else:

@@ -203,7 +203,12 @@ def as_json(document: Document) -> bytes:
     import numpy as np
     from pydantic_core import to_json
 
-    return to_json(document.data, indent=1, inf_nan_mode="null", fallback=np.ndarray.tolist) + b"\n"
+    from sweetspot.reports.build_info import made_with
+
+    return (
+        to_json({**document.data, "made_with": made_with()}, indent=1, inf_nan_mode="null", fallback=np.ndarray.tolist)
+        + b"\n"
+    )
 
 
 def save(figure: Figure, path: Path) -> Path:
