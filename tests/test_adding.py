@@ -148,8 +148,8 @@ ADDITIONS = {
         "answer = page.post('/api/v1/shrug', json={})\n"
         "assert abs(answer.json()['mass_kg'] - catalog.bat().mass) < 1e-9, answer.text\n"
         "assert 'Shrug' in page.get('/shrug').text and page.get('/static/views/shrug.js').status_code == 200\n",
-        (("web/views/__init__.py", "ORDER = (", "from sweetspot.web.views import shrug\n\n"),
-         ("web/views/__init__.py", "paper)", "shrug, ")),
+        (("web/views/__init__.py", "GROUPS = {", "from sweetspot.web.views import shrug\n\n"),
+         ("web/views/__init__.py", "paper, sports)", "shrug, ")),
     ),
     "a command": Addition(
         {"cli/shrug_command.py":

@@ -113,7 +113,7 @@ def test_the_command_writes_a_ball_that_hits(run: Run, tmp_path: Path) -> None:
     out = tmp_path / "mine.toml"
     words = ("calibrate-ball", "baseball", "--restitution", "0.48±0.005@58mph", "--out", str(out))
     code, text, said = run(*words)
-    assert code == 0 and "It returns 0.480" in text and "wrote" in said
+    assert code == 0 and "it returns 0.480" in text and "wrote" in said
     assert run("hit", "r161-ash", "--at", "6in-from-tip", "--ball", str(out))[0] == 0
     assert run(*words)[0] == 2  # writes over nothing
     torn = run("calibrate-ball", "baseball", "--restitution", "0.4±0.005@90mph", "--restitution", "0.55±0.005@58mph")

@@ -165,8 +165,8 @@ def test_results_are_the_same_again(found: tuple[Result, ...]) -> None:
 
 
 FEWEST = 10
-FEW = {"field hockey": 5, "squash": 2}
-"""Sports of which fewer numbers were found."""
+FEW = {"field hockey": 5, "squash": 0}
+"""Sports of which fewer numbers were found; the two of squash's ball are calibrated."""
 
 
 def test_every_sport_is_tried_on_enough_numbers(found: tuple[Result, ...]) -> None:

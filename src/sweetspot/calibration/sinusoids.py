@@ -311,7 +311,7 @@ def _with_errors(parameters: Array, left: Array, time: Array) -> tuple[Sinusoid,
     frequency = np.fft.rfftfreq(len(left), 1 / rate)
     sinusoids = []
     for index, (tone, decay, cosine, sine) in enumerate(parameters):
-        near = np.abs(frequency - tone) < max(LOCAL / 3 * tone, NARROWEST)
+        near = np.abs(frequency - tone) < max(LOCAL / 3 * tone, NARROWEST, rate / len(left))  # one bin at least
         noise = float(np.mean(density[near]))
         tone_error, decay_error = np.sqrt(noise * np.diag(covariance)[4 * index : 4 * index + 2])
         natural = 2 * np.pi * tone

@@ -53,7 +53,6 @@ def new(
 ) -> int:
     """Write a first file for your own bat, racket, club or stick: six questions, or options in their place."""
     from sweetspot.catalog.files.new import Facts, new_file
-    from sweetspot.cli.output import note
     from sweetspot.reports.files import write_all
 
     if os.path.lexists(file):
@@ -67,7 +66,7 @@ def new(
         given |= _answers(given)
     text = new_file(Facts(**{key: text for key, text in given.items() if text and text.strip()}, name=name), file.name)
     write_all({file: text.encode()})
-    note(f"wrote {file}; next: sweetspot report {file}")
+    print(f"wrote {file}; next: sweetspot report {file}")
     return 0
 
 

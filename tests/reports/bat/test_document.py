@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import sweetspot
 from sweetspot.analysis.bat_analysis import Analysis, analyse, exit_speed_of
 from sweetspot.answers.report import misses_of, report_of
 from sweetspot.catalog.standard_hit import standard_analysis, standard_conditions
@@ -119,6 +120,7 @@ def test_all_files_are_there_and_nothing_else(written: dict[str, Path]) -> None:
 def test_json_is_the_border_contract(written: dict[str, Path], analysis: Analysis) -> None:
     told = json.loads(written["report.json"].read_text())
     half = told["best_hit"].pop("exit_speed_half_m_s")
+    assert told.pop("made_with")["version"] == sweetspot.__version__
     assert told == json.loads(json.dumps(report_of(analysis).to_dict()))
     doubt = speed_doubt(analysis, unknown_of(analysis.bat, analysis.conditions))
     assert doubt is not None and half == pytest.approx(REACH * doubt.error)
