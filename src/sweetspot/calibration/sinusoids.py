@@ -109,10 +109,10 @@ def fit_sinusoids(samples: Array, rate: float, *, band: FrequencyBand, most: int
         if start is None:
             break
         parameters = _refined(np.vstack([parameters, start]), samples, time, trials=ROUGHLY)
-        parameters = parameters[_rings(parameters)]
+        parameters = parameters[_rings(parameters, rate)]
     if len(parameters):
         parameters = _refined(parameters, samples, time, trials=FINALLY)
-        parameters = parameters[_rings(parameters)]
+        parameters = parameters[_rings(parameters, rate)]
         parameters = parameters[np.argsort(parameters[:, 0])]
     fitted = _model(parameters, time)
     sinusoids = [sinusoid for sinusoid in _with_errors(parameters, samples - fitted, time) if _counts(sinusoid, band)]
@@ -286,9 +286,11 @@ def _start(left: Array, rate: float, frequency: Array, power: Array, peak: int) 
     return np.array([tone, decay, cosine, sine])
 
 
-def _rings(parameters: Array) -> NDArray[np.bool_]:
-    """Return which rows decay slowly enough to be a tone."""
-    return np.asarray(np.abs(parameters[:, 1]) < FASTEST_DECAY * 2 * np.pi * np.abs(parameters[:, 0]))
+def _rings(parameters: Array, rate: float) -> NDArray[np.bool_]:
+    """Return which rows are a tone: below half of the rate, where steps of the fit may leave it, and slow to decay."""
+    frequency = parameters[:, 0]
+    slow = np.abs(parameters[:, 1]) < FASTEST_DECAY * 2 * np.pi * np.abs(frequency)
+    return np.asarray(slow & (frequency > 0) & (frequency < rate / 2))
 
 
 def _counts(sinusoid: Sinusoid, band: FrequencyBand) -> bool:
@@ -311,7 +313,7 @@ def _with_errors(parameters: Array, left: Array, time: Array) -> tuple[Sinusoid,
     frequency = np.fft.rfftfreq(len(left), 1 / rate)
     sinusoids = []
     for index, (tone, decay, cosine, sine) in enumerate(parameters):
-        near = np.abs(frequency - tone) < max(LOCAL / 3 * tone, NARROWEST, rate / len(left))  # one bin at least
+        near = np.abs(frequency - tone) < max(LOCAL / 3 * tone, NARROWEST)
         noise = float(np.mean(density[near]))
         tone_error, decay_error = np.sqrt(noise * np.diag(covariance)[4 * index : 4 * index + 2])
         natural = 2 * np.pi * tone
