@@ -72,7 +72,7 @@ def test_a_thicker_grip_is_what_durability_wants(
     bench: Bench, limits: tuple[Limit, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("sweetspot.designs.local_search.LOOKS", 20)
-    freer = [limit for limit in limits if limit.measure not in ("mass", "moi")]
+    freer = tuple(limit for limit in limits if limit.measure not in ("mass", "moi"))
     own, question = durable(bench), DesignSearch(("durability",), freer)
     numbers, measured = locally_best(own, question, own.space.start)
     now = own.measured(own.space.start)

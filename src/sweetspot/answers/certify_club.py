@@ -93,7 +93,7 @@ def certify_club_answer(question: CertifyClubQuestion) -> CertifyClubAnswer:
         test=TestedClub(
             characteristic_time=time,
             read=read,
-            face_stiffness=head.face.stiffness or float("inf"),
+            face_stiffness=head.face.stiffness,
             cor=cor,
             speed=TEST_SPEED,
             head_moi=head.roll_moi,

@@ -106,12 +106,7 @@ def present(answer: Answer | Document, options: OutputOptions, *, long: bool = F
     if options.out is not None:
         from sweetspot.reports.files import write_document
 
-        written = write_document(
-            document,
-            options.out,
-            reader=document.reader_of(options.units or SETTINGS.get().units),
-            long=long or options.details,
-        )
+        written = write_document(document, options.out, reader=reader, long=long or options.details)
     if options.format == "json":
         from sweetspot.reports.build_info import made_with
 

@@ -21,6 +21,9 @@ from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.piecewise import Piecewise
 
+FAMILIES: tuple[Family, ...] = ("rigid", "face")
+"""Of a rigid motion and the face's own, where it deflects."""
+
 
 def face_modes(beam: BeamModel, ball: Ball) -> Modes:
     """Return the roll of an implement with a face and, where the face deflects, its mode under the ball.
@@ -38,14 +41,8 @@ def face_modes(beam: BeamModel, ball: Ball) -> Modes:
     if face is None or outline is None:
         raise InputError(f"{beam.bat.name} has no face; give one that has, or take its bending modes alone")
     roll_moi = rigid_body(beam).roll_moi
-    families: tuple[Family, ...] = ("rigid",)
-    frequency, damping_rate = [0.0], [0.0]
-    if face.stiffness is not None and face.moving_mass is not None:
-        families = ("rigid", "face")
-        frequency.append(math.sqrt(face.stiffness / face.moving_mass) / (2 * math.pi))
-        lost = damping_coefficient(face.restitution, stiffness=face.stiffness, mass=ball.mass)
-        damping_rate.append(lost / face.moving_mass)
-    count = len(families)
+    motions = face_motion(face, ball)
+    count = 1 + len(motions)
 
     def basis(position: Array, lateral: Array, closing_speed: Array | float | None) -> Array:  # noqa: ARG001 - its patch is given
         here = outline.holds(position, lateral)
@@ -57,15 +54,23 @@ def face_modes(beam: BeamModel, ball: Ball) -> Modes:
     rigid_part = np.zeros((3, count))
     rigid_part[2, 0] = 1.0
     return Modes(
-        families=families,
+        families=FAMILIES[:count],
         harmonics=(0, 1)[:count],
-        frequency=np.array(frequency),
-        damping_rate=np.array(damping_rate),
+        frequency=np.array([0.0, *(frequency for frequency, _ in motions)]),
+        damping_rate=np.array([0.0, *(rate for _, rate in motions)]),
         shapes=Piecewise(np.zeros((1, 1, count)), np.array([0.0, beam.bat.length])),
         rigid_part=rigid_part,
         dashpots=np.zeros((0, count)),
         surface=Surface(basis, np.eye(count)),
     )
+
+
+def face_motion(face: Face, ball: Ball) -> tuple[tuple[float, float], ...]:
+    """Return frequency in Hz and damping rate in 1/s of the face's mode under a ball; nothing for a rigid face."""
+    if face.stiffness is None or face.moving_mass is None:
+        return ()
+    lost = damping_coefficient(face.restitution, stiffness=face.stiffness, mass=ball.mass)
+    return ((math.sqrt(face.stiffness / face.moving_mass) / (2 * math.pi), lost / face.moving_mass),)
 
 
 def softness(face: Face, outline: FaceOutline, position: Array, lateral: Array) -> Array:

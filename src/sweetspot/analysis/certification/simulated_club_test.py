@@ -13,9 +13,9 @@ import numpy as np
 
 from sweetspot.collision.closed_form import restitution_from_efficiency
 from sweetspot.collision.coupled import hit
-from sweetspot.dynamics.modes import Family, Modes
+from sweetspot.dynamics.face_vibration import FAMILIES, face_motion
+from sweetspot.dynamics.modes import Modes
 from sweetspot.equipment.ball import Ball
-from sweetspot.equipment.face import damping_coefficient
 from sweetspot.equipment.golf_club import ClubHead
 from sweetspot.numerics.piecewise import Piecewise
 from sweetspot.units import MPH
@@ -31,19 +31,14 @@ def bare_head_modes(head: ClubHead, ball: Ball) -> Modes:
     ----------
     ball : whose mass turns the face's restitution into a damper.
     """
-    families: tuple[Family, ...] = ("rigid", "face")
-    face, shapes, frequency, rate = head.face, [1 / math.sqrt(head.mass)], [0.0], [0.0]
-    if face.stiffness is not None and face.moving_mass is not None:
-        shapes.append(1 / math.sqrt(face.moving_mass))
-        frequency.append(math.sqrt(face.stiffness / face.moving_mass) / (2 * math.pi))
-        lost = damping_coefficient(face.restitution, stiffness=face.stiffness, mass=ball.mass)
-        rate.append(lost / face.moving_mass)
-    count = len(shapes)
+    face, motions = head.face, face_motion(head.face, ball)
+    shapes = [1 / math.sqrt(mass) for mass in (head.mass, face.moving_mass) if mass is not None]
+    count = 1 + len(motions)
     return Modes(
-        families=families[:count],
+        families=FAMILIES[:count],
         harmonics=(0, 1)[:count],
-        frequency=np.array(frequency),
-        damping_rate=np.array(rate),
+        frequency=np.array([0.0, *(frequency for frequency, _ in motions)]),
+        damping_rate=np.array([0.0, *(rate for _, rate in motions)]),
         shapes=Piecewise(np.array([[shapes]]), np.array([0.0, head.height])),
         rigid_part=np.eye(2, count),
         dashpots=np.zeros((0, count)),

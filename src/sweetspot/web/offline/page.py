@@ -43,7 +43,7 @@ SCALES = ("length", "mass", "speed", "time", "vibration", "share", "ratio")
 """Endings of names and scales that the program's curves and controls have."""
 SPOKEN = ("speed", "place", "mass", "ratio", "blow", "contact", "impulse", "vibration", "pressed", "count")
 """Scales of the numbers in its words."""
-THEME_ENDS = "\n* { box-sizing"
+THEME_ENDS = "/* What follows is the page's alone"
 """What follows the colours in the page's style."""
 
 
