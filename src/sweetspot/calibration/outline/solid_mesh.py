@@ -59,7 +59,9 @@ def stl_triangles(content: bytes, path: Path) -> Array:
         numbers = np.array(VERTEX.findall(content.lower()), dtype="S64").astype(float)
     except ValueError:
         raise InputError(f"{path} has a vertex that is no number; export it anew") from None
-    if not len(numbers) or len(numbers) % 3:
+    if not len(numbers):
+        raise InputError(f"{path} has no triangles; export it anew")
+    if len(numbers) % 3:
         raise InputError(f"{path} has {len(numbers)} vertices, not three for each triangle; export it anew")
     return numbers.reshape(-1, 3, 3)
 
