@@ -25,4 +25,4 @@ def test_the_copied_command_finds_the_same_swing(run_json: Callable[..., Any]) -
     state = OptimumState(bat_speed_mph=66, hands_in=5, ball_cor=0.5, ball_humidity=0.7, ball_temperature_degf=40)
     found = run_json(*shlex.split(recipe(state)["command"])[1:])["swings"]
     told = swing(state).html["us"]
-    assert f"carries farthest, {found[0]['carry_m'] / FOOT:.0f}\N{NO-BREAK SPACE}ft" in told
+    assert f"farthest ({found[0]['carry_m'] / FOOT:.0f}\N{NO-BREAK SPACE}ft)" in told

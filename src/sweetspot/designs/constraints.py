@@ -244,7 +244,8 @@ def nearest_within_limits(bench: Bench, numbers: Array, limits: Sequence[Limit],
     """Return numbers near those of a bat that keep some limits, as far as the ranges let them.
 
     Every round goes to the nearest ends of the limits' bands by the smallest change, counted in parts of the ranges,
-    that the slopes ask for (Newton's method with the least norm); numbers that meet the end of their range stay there.
+    that the slopes ask for (Newton's method with the least norm), and leaves in place what earlier rounds went
+    to. Numbers that meet the end of their range stay there.
 
     ``numbers``: of the bat as it was pulled, shape (variables,). ``pulled``: the number that a hand holds, which
     changes last; None: none is held.
@@ -261,13 +262,16 @@ def nearest_within_limits(bench: Bench, numbers: Array, limits: Sequence[Limit],
         drawn = drawn_values(bench, low + rows * width)
         return np.array([drawn[limit.measure] for limit in limits]).reshape(len(limits), len(rows))
 
+    held: set[int] = set()
     for _ in range(ROUNDS):
         here, slopes = _with_slopes(values, parts, STEP)
         broken = [row for row, limit in enumerate(limits) if float(limit.excess(here[row : row + 1])[0]) > 0]
         if not broken:
             break
-        miss = np.array([_distance_inside(limits[row], float(here[row])) for row in broken])
-        slopes = slopes[broken] / grains[broken, None]
+        held |= {*broken}
+        rows = sorted(held)
+        miss = np.array([_distance_inside(limits[row], float(here[row])) if row in broken else 0.0 for row in rows])
+        slopes = slopes[rows] / grains[rows, None]
         parts = _least_step(parts, slopes, miss, ready)
     return np.asarray(low + parts * width)
 
