@@ -30,7 +30,7 @@ LOWEST := .venv-lowest
 UNDER_LOWEST := $(addprefix tests/,catalog collision dynamics equipment flight motion numerics units reports cli calibration)
 QUICK_LOWEST := $(addprefix tests/,units motion equipment catalog/files collision/test_contact_law.py dynamics/test_bending.py \
 	flight/test_trajectory.py cli/test_hostile_files.py calibration/outline/test_drawings.py cli/test_design_command.py \
-	reports/drawing/test_drawing_files.py)
+	reports/drawings/test_drawing_files.py)
 
 test-lowest: $(LOWEST)/.installed  ## tests of all but pages in a browser and fits with the lowest versions that pyproject allows
 	$(LOWEST)/bin/python -m pytest -q $(UNDER_LOWEST) --ignore tests/reports/test_one_sheet.py \

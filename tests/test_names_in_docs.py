@@ -1,8 +1,9 @@
-"""Files, modules and commands that CONTRIBUTING, the decisions and the pages name are there."""
+"""Files, modules and commands that CONTRIBUTING, the decisions, the pages and the Makefile name are there."""
 
 from __future__ import annotations
 
 import re
+import subprocess
 from functools import cache
 from pathlib import Path
 from pkgutil import resolve_name
@@ -71,3 +72,12 @@ def test_every_command_of_make_is_one() -> None:
     text = GUIDE.read_text(encoding="utf-8")
     named = set(re.findall(r"(?:^|`)make ([\w-]+)", text, flags=re.MULTILINE))
     assert len(named) > 10 and named <= targets
+
+
+def test_what_the_makefile_runs_is_there() -> None:
+    targets = re.findall(r"^\.PHONY: (.*)$", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)[0].split()
+    dry = [target for target in targets if target != "js"]  # which calls make, and a line that does is run even so
+    told = subprocess.run(["make", "-n", *dry], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    named = set(re.findall(r"(?<![\w./-])(?:tests|tools|src|benchmarks|studies)/[\w./-]+", told))
+    assert len(named) > 30
+    assert not [name for name in sorted(named) if not (ROOT / name).exists()]
