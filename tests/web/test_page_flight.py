@@ -23,6 +23,10 @@ def test_the_first_picture_says_over_which_fences_in_the_order_of_the_caption(op
     # the likeliest home run first, each with its own carry: in Denver 19 ft more than in Phoenix
     table = opened.get_by_role("region", name=re.compile("every park")).locator("table")
     expect(table.locator("caption")).to_contain_text("the likeliest home run first")
+    rest = table.locator("tbody tr").nth(12)
+    expect(rest).to_be_hidden()  # a long table begins with its first rows
+    opened.get_by_role("button", name="All 30 rows").click()
+    expect(rest).to_be_visible()
     rows = [row.split("\t") for row in table.locator("tbody tr").all_inner_texts()]
     chances = [int(row[2].removesuffix("%")) for row in rows]
     assert chances == sorted(chances, reverse=True)

@@ -83,7 +83,7 @@ def test_a_hollow_bat_has_hoop_motions_and_a_solid_one_has_not(still: Page, serv
     expect(still.get_by_label("Hoop 2.1", exact=True)).to_have_count(0)
     choose(still, "single-wall")
     drawn = answered(still, drawn)
-    still.get_by_role("button", name="more, which are hardly woken").click()
+    still.get_by_role("button", name="more that barely ring").click()
     still.get_by_label("Hoop 2.2", exact=True).check()
     answered(still, drawn)
     expect(still.locator("#verdict")).to_contain_text("2 waves around it and 2 half waves along it")

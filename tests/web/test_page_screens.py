@@ -64,6 +64,34 @@ def test_a_telephone_on_its_side_has_its_controls_beside_the_picture(page: Page,
     assert right["x"] + right["width"] <= left["x"] and right["y"] < 0.5 * 390
 
 
+def test_a_low_window_shows_the_picture_first(page: Page, server: str, settled: Wait) -> None:
+    """A telephone on its side, and a page at 400 %: what is not a picture is below it, and nothing lies over it."""
+    for width, height in ((844, 390), (360, 225)):
+        page.set_viewport_size({"width": width, "height": height})
+        for view in (
+            "",
+            "explorer",
+            "hit",
+            "modes",
+            "own",
+            "compare",
+            "design",
+            "player",
+            "flight",
+            "optimum",
+            "sports",
+        ):
+            page.goto(f"{server}/{view}")
+            settled(page)
+            part = page.evaluate("""() => Math.max(...[...document.querySelectorAll("#view canvas")].map((canvas) => {
+              const { left, top, bottom, width } = canvas.getBoundingClientRect();
+              const end = Math.min(bottom, innerHeight) - 4;
+              const shown = end > top && document.elementFromPoint(left + width / 2, end) === canvas ? end - top : 0;
+              return shown / Math.min(bottom - top - 4, 0.3 * innerHeight); // all of it, or a good part
+            }))""")
+            assert part >= 1, f"{view or 'start'} at {width} x {height}: {part} of what a picture should show"
+
+
 def test_the_wizard_by_keyboard_on_a_small_screen(page: Page, server: str, answered: Answered) -> None:
     page.set_viewport_size({"width": 320, "height": 480})
     page.goto(f"{server}/explorer")

@@ -30,7 +30,7 @@ export class Numbers {
   fill() {
     this.empty();
     const found = this.element.open ? this.tabled() : null;
-    if (found) this.element.append(tableOf(found.caption, found.columns, found.rows.filter((row) => row.slice(1).some((cell) => cell !== NOTHING)), found));
+    if (found) this.element.append(tableOf(found.caption, found.columns, found.rows.filter((row) => row.slice(1).some((cell) => cell !== NOTHING)), { column: found.column, all: true }));
   }
 
   empty() { this.element.querySelector(".scroll")?.remove(); }

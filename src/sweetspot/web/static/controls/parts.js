@@ -72,9 +72,9 @@ export function withDoubt(kind, value, half, app) {
  * @param {string} caption
  * @param {Cell[]} columns
  * @param {Cell[][]} rows
- * @param {{ column?: number }} [look]  pixels that a column needs, where they are not the usual ones
+ * @param {{ column?: number, all?: boolean }} [look]  pixels that a column needs, where they are not the usual ones; whether a long one is shown whole
  */
-export function tableOf(caption, columns, rows, { column } = {}) {
+export function tableOf(caption, columns, rows, { column, all } = {}) {
   const cell = (/** @type {"th" | "td"} */ tag, /** @type {Cell} */ given, /** @type {boolean} */ number) => {
     const { text, note = "", className = "" } = typeof given === "object" && given !== null ? given : { text: given };
     const made = make(tag, { textContent: printed(text ?? "–"), className: [number ? "number" : "", className].filter(Boolean).join(" ") });
@@ -86,7 +86,7 @@ export function tableOf(caption, columns, rows, { column } = {}) {
     i === 0 ? Object.assign(cell("th", given, false), { scope: "row" }) : cell("td", given, true)))));
   const table = make("table", {}, make("caption", { textContent: caption }), make("thead", {}, head), make("tbody", {}, ...body));
   const box = make("div", { className: "scroll", tabIndex: 0, role: "region", ariaLabel: caption }, table);
-  fitted(box, { column });
+  fitted(box, { column, all });
   return box;
 }
 

@@ -1,6 +1,7 @@
 // Tables that show each row apart, one beneath the other, where there is no room for their columns.
 //
-//   fitted(box);             // a .scroll with one table in it; its cells get their columns' names
+//   fitted(box);             // a .scroll with one table in it; its cells get their columns' names, and it is shortened
+//                            // where it is long, unless { all: true }
 //
 // A table is shown so while it would have to be scrolled sideways, or its columns would be narrower than words are.
 
@@ -14,6 +15,7 @@ const INSIDE_UNIT = /(?<=\d[ \u00a0](?:oz|kg|N)) (?=(?:in²|cm²|m²|s)(?![a-z])
 const UNIT_OF_HEAD = new RegExp(`(?<=[ (])(?:${TWO_WORDS.join("|")})(?![\\w²])`, "g");
 const LEAST = 5.4; // rem that a cell of such a row has at least
 const SENTENCE = 24; // letters from which on a cell of a row that stands apart has a line of its own
+const LONG_TABLE = 15, FIRST = 10; // rows from which on a table shows its first alone, and how many those are
 const [LETTER, AROUND] = [0.6, 0.8]; // rem that a letter takes at most, and that stand around a cell's words
 
 // A text in which number and unit stay on one line, and so does what it may be off by.
@@ -22,6 +24,7 @@ export function unbroken(text) {
   return String(text).replace(BEFORE_UNIT, "\u00a0").replace(INSIDE_UNIT, "\u00a0").replaceAll(/(?<=\d) ± | ?± /g, "\u00a0±\u00a0");
 }
 
+const whole = new Set(); // the names of long tables that somebody wanted all of
 /** @type {WeakMap<Element, number>} */
 const needed = new WeakMap(); // by the ruler of a table: pixels that its columns need
 
@@ -31,9 +34,9 @@ const watched = new ResizeObserver((rulers) => {
 
 /**
  * @param {Element} box
- * @param {{ column?: number }} [look]  pixels that each column of this table needs
+ * @param {{ column?: number, all?: boolean }} [look]  pixels that each column of this table needs; whether every row is shown
  */
-export function fitted(box, { column = COLUMN } = {}) {
+export function fitted(box, { column = COLUMN, all = false } = {}) {
   const heads = [...box.querySelectorAll("thead tr > *")];
   const rows = [...box.querySelectorAll("tbody tr")];
   for (const { firstChild: words } of heads) if (words instanceof Text) words.data = words.data.replace(UNIT_OF_HEAD, (unit) => unit.replaceAll(" ", "\u00a0"));
@@ -45,6 +48,23 @@ export function fitted(box, { column = COLUMN } = {}) {
   box.prepend(ruler);
   needed.set(ruler, heads.length > 2 ? column * (heads.length + Number(named)) : 0);
   watched.observe(ruler);
+  if (!all) shorten(box, rows);
+}
+
+// A long table begins with its first rows and a button for the others; on paper it is whole.
+/** @param {Element} box @param {Element[]} rows */
+function shorten(box, rows) {
+  const name = box.getAttribute("aria-label");
+  if (rows.length < LONG_TABLE || whole.has(name)) return;
+  for (const row of rows.slice(FIRST)) row.classList.add("later");
+  const more = Object.assign(document.createElement("button"), { type: "button", textContent: `All ${rows.length} rows` });
+  more.addEventListener("click", () => {
+    whole.add(name);
+    for (const row of rows) row.classList.remove("later");
+    more.remove();
+    if (box instanceof HTMLElement) box.focus();
+  });
+  box.append(more);
 }
 
 // A cell with its column's name, its numbers in one piece; the name of a row that is a number says what of.

@@ -66,15 +66,18 @@ export default class CompareView {
     this.chart = new Chart(app, { label: "Curves along the bats, tips aligned", panels: [], axis: { kind: "position_m", from: () => this.longest, label: "from the tip" } });
     this.rows = new RowsPicture(app);
     this.change = new ChangePicture(app);
+    this.change.element.classList.add("pinned");
     this.bats = make("div");
     this.rules = make("div");
+    this.reasons = make("div", { className: "words" });
+    this.why = make("details", { className: "report" }, make("summary", { textContent: "Why, and what was published" }), this.reasons);
     this.wait = make("p", { className: "note", id: "working", textContent: "Working out how sure each difference is …" });
     this.assumed = make("p", { className: "note" });
     this.sure = new HowSure(app, { but: ["league"] });
     this.sureRules = new HowSure(app, { aside: "rules_sure", but: SWUNG, title: "How sure each bat's test is, and what that comes from" });
     const legend = make("p", { className: "note", textContent: "Dot: the ball leaves fastest there. Bar below the bat, and shaded stretch of the first one's in the curves: the sweet zone. Pale stretches around a curve: its 90 % interval. Square: a weight fixed to the bat." });
     const main = make("div", { className: "stack" },
-      section("Verdict", this.words, this.wait, this.change.element),
+      section("Verdict", this.words, this.wait, this.change.element, this.why),
       section("The bats and where they hit", this.rows.element, legend, this.chart.element, this.bats, this.assumed, this.sure.element),
       section("League rules", usualChoice(app, "league", { label: "Rules of", options: leagues(app) }), this.rules, this.sureRules.element));
     root.append(side, main);
@@ -110,7 +113,9 @@ export default class CompareView {
     const bats = answer.bats.map((bat, i) => ({ ...bat, ...sure?.bats[i] }));
     const { verdict, assumptions, changes } = sure ?? answer;
     this.wait.hidden = sure !== null || bats.length < 2;
-    paragraphs(this.words, verdict[units]);
+    paragraphs(this.words, verdict[units].slice(0, bats.length)); // one for each other bat, and the answer to what was asked
+    paragraphs(this.reasons, verdict[units].slice(bats.length));
+    this.why.hidden = verdict[units].length <= bats.length;
     tell(this.assumed, assumptions[units].join(" "));
     this.app.announce(verdict[units][0]);
     this.change.draw(bats, changes[units].join(" "));

@@ -51,7 +51,7 @@ const FACTS = [
 export default class ExplorerView {
   /** @type {Guide} */
   static guide = [
-    ["A bat, and where it hits best", "The bat is drawn to scale. Coloured marks are its sweet spots: there are several, " +
+    ["A bat, and where it hits best", "The bat is drawn to scale. Colored marks are its sweet spots: there are several, " +
       "for each answers another question. The green zone is where a hit costs little speed and stings little."],
     ["Drag the ball", "Drag the ball along the bat, or anywhere on the curves or the map. The sentence below the numbers says " +
       "why a hit there is what it is. Small squares can be dragged too: hands, holes, weights. With the keyboard: arrow keys on the picture."],
@@ -100,7 +100,7 @@ export default class ExplorerView {
     this.knownList = make("ul");
     this.known = make("details", { className: "report" }, make("summary", { textContent: "What was published of this bat (diamonds on the curves)" }), this.knownList);
     const barrel = button("Barrel", () => this.zoom.back());
-    this.heatSwitch = button("Colours off", () => this.switchHeat());
+    this.heatSwitch = button("Colors off", () => this.switchHeat());
     const tools = make("div", { className: "row tight" }, barrel, this.zoom.buttons("Whole bat"), this.heatSwitch);
     const picture = make("section", { className: "picture", ariaLabel: "Bat and curves" },
       tools, this.picture.element, this.facts.element, this.why, this.power.element, this.power.numbers.element, this.chart.element, this.again, this.bars, this.known, this.report, this.sure.element);
@@ -111,7 +111,7 @@ export default class ExplorerView {
 
   switchHeat() {
     this.warm = !this.warm;
-    this.heatSwitch.textContent = this.warm ? "Colours off" : "Colours on";
+    this.heatSwitch.textContent = this.warm ? "Colors off" : "Colors on";
     this.paint();
   }
 

@@ -110,7 +110,7 @@ export default class HitView {
       film, moment: this.transport.moment, colors: app.colors, exaggeration, recoil,
       wall: hoop && deepest > 0 ? Math.min(exaggeration, (0.5 * hoop.radius_m) / deepest) : 1,
       notes: [`${recoil ? "bat's motion" : "bat's bending alone"} × ${Number(exaggeration.toFixed(1))}; ball and bat to scale; dashed: ${recoil ? "where the swing alone would take it" : "the straight bat"}`,
-        `coloured: the bat moves fast against its swing, up to ${app.text("speed_m_s", film.fastest, 0)}`,
+        `colored: the bat moves fast against its swing, up to ${app.text("speed_m_s", film.fastest, 0)}`,
         ...speeds[app.units]],
     };
   }

@@ -36,7 +36,7 @@ export default class ModesView {
     /** @type {(() => void) | null} */
     this.stop = null;
     this.begun = false;
-    this.all = false; // whether motions are listed that are hardly woken
+    this.all = false; // whether motions are listed that barely ring
     this.listed = this.spoken = ""; // the motions in the list, and what was last said
     /** @type {{ line: HTMLElement, input: HTMLInputElement, share: HTMLElement, felt: HTMLElement }[]} */
     this.cells = [];
@@ -151,7 +151,7 @@ export default class ModesView {
     });
     const quiet = rows.length - this.woken.size;
     this.more.hidden = quiet === 0;
-    this.more.textContent = this.all ? "Leave out what is hardly woken" : `Show ${quiet} more, which are hardly woken`;
+    this.more.textContent = this.all ? "Leave out what barely rings" : `Show ${quiet} more that barely ring`;
   }
 
   /** @param {BatMotion[]} rows */

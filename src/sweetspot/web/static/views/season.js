@@ -56,7 +56,7 @@ export default class SeasonView {
     this.design = button("Design a bat for this player", () => this.toDesign(), { title: "Where this player meets the ball, and how fast, goes along to the view Design" });
     this.player = section("This player", make("div", { className: "row tight" }, this.design), this.wrong, this.page.element);
     this.told = [
-      section("How they were hit", this.none, this.facts.element, this.barrel.element, this.ceilings.element),
+      section("How they were hit", this.none, this.barrel.element, this.facts.element, this.ceilings.element),
       section("Where they come down", this.field.element), section("Players", this.players.table),
       section("What was read", this.whole.element), section("Save the tables", this.files)];
     this.which = group("Which balls", [this.players.element, ...this.filters.map(({ element }) => element), button("All balls again", () => app.setState(EVERYBODY))]);
