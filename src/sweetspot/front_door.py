@@ -238,7 +238,7 @@ def _written(value: Any, name: str, kind: str, tool: Implement | None) -> Any:
         of = Owner() if tool is None else Owner(tool.length, tool.sport)
         with insisting():  # what is unusual is warned of
             value = number_of_text(value, name, kind, what=name, of=of)
-    return value if _is_a(value, "Measured") else _numbers(value, name, callers=3)
+    return value if _is_a(value, "Measured") else _numbers(value, name, sport=tool.sport if tool else "", callers=3)
 
 
 def _numbers_of(value: Any) -> Any:
@@ -254,31 +254,29 @@ def _is_list(value: Any) -> bool:
     return not (isinstance(value, (str, Path)) or _is_a(value, "Implement", "Park"))
 
 
-def _numbers(value: Any, name: str, *, callers: int = 3) -> Any:
+def _numbers(value: Any, name: str, *, sport: str = "", callers: int = 3) -> Any:
     """Return the number or numbers of a parameter in SI; a dictionary is converted key by key."""
     if isinstance(value, dict):
         found = {}
         for key, each in value.items():
-            found[key] = _numbers(each, key, callers=callers + 1)
+            found[key] = _numbers(each, key, sport=sport, callers=callers + 1)
         return found
     if name not in KIND_OF:
         return value
     numbers = in_si(value, name)
     if KIND_OF[name] == "speed" and name in TABLE and numbers is not None and not insisted():
-        _warn_of_unusual(numbers, name, callers=callers)
+        _warn_of_unusual(numbers, name, sport, callers=callers)
     return numbers
 
 
-def _warn_of_unusual(speeds: Any, name: str, *, callers: int) -> None:
+def _warn_of_unusual(speeds: Any, name: str, sport: str, *, callers: int) -> None:
     """Warn of speeds outside those of the game, which usually are miles an hour in place of m/s."""
     import numpy as np
 
     many = np.ravel(np.asarray(speeds, dtype=float))
-    odd = [
-        float(speed) for speed in many[np.isfinite(many) & (many != 0)] if bounds(name).verdict(float(speed)) != "fine"
-    ]
+    usual = bounds(name, sport)
+    odd = [float(speed) for speed in many[np.isfinite(many) & (many != 0)] if usual.verdict(float(speed)) != "fine"]
     if odd:
-        usual = bounds(name)
         warnings.warn(
             f"{name} is {odd[0]:.4g} m/s ({usual.in_unit(odd[0]):.4g} {usual.unit}); usual is {usual.low:g} to "
             f"{usual.high:g} {usual.unit}. Plain numbers are m/s; miles an hour are written '{odd[0]:.4g} mph'",

@@ -11,6 +11,8 @@ import polars as pl
 import pytest
 from pydantic import ValidationError
 
+import sweetspot
+from sweetspot import catalog
 from sweetspot.catalog.sports import sport_names
 from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.motion.swing import Pitch, Swing
@@ -19,7 +21,9 @@ from sweetspot.plausibility.table import MAX_SPEED, SPEEDS, TABLE
 from sweetspot.player.player_swing import PlayerSwing, fault_of
 from sweetspot.seasons.rows import POSSIBLE, _near
 from sweetspot.units import MPH
-from sweetspot.web.controls import SwingState, ViewState
+from sweetspot.web.bats import ball_of
+from sweetspot.web.controls import SwingState, SwungState, ViewState
+from sweetspot.web.errors import FieldError
 from sweetspot.web.views.flight_state import FlightState
 from sweetspot.web.views.optimum import OptimumState
 from sweetspot.web.views.player import PlayerState
@@ -122,3 +126,53 @@ def test_nobody_can_insist_on_what_is_impossible(run: Run, quantity: str) -> Non
         assert not fault_of(swing_of(quantity, 60.0), 0.84)
         with pytest.raises(ValueError, match="possible is"):
             Pitch(speed=too_fast) if quantity == "pitch_speed" else Swing(bat_speed=too_fast, measured_at=0.7)
+
+
+RALLY = ("hit", "pickleball-paddle", "--at", "4.4in-from-tip")
+BAT_SPORTS = {"baseball", "youth-baseball", "softball", "slow-pitch"}
+
+
+@pytest.mark.parametrize("name", catalog.ball_names())
+def test_every_ball_of_the_catalogue_is_fine(name: str) -> None:
+    ball = catalog.ball(name)
+    assert verdict("ball_restitution", ball.restitution.reference, ball.sport) == "fine"
+
+
+@pytest.mark.parametrize("sport", sport_names())
+def test_the_usual_stroke_of_every_sport_is_fine_by_far(sport: str) -> None:
+    stroke = catalog.sport(sport).stroke
+    bat, ball = stroke.swing_speed.value, stroke.ball_speed.value
+    for quantity, speed in (("bat_speed", bat), ("pitch_speed", ball), ("closing_speed", bat + ball)):
+        assert verdict(quantity, 1.2 * speed, sport) == "fine"
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"ball_cor": 0.8}, "cor was given as 0.8; usual is 0.6 to 0.75 in pickleball"),
+        (
+            {"bat_speed": "60 mph", "pitch_speed": "80 mph"},
+            "closing speed was given as 62.59 m/s; usual is 0 to",
+        ),
+    ],
+)
+def test_what_no_ball_and_no_rally_has_is_refused_by_all(run: Run, given: dict[str, object], words: str) -> None:
+    options = [part for name, value in given.items() for part in (f"--{name.replace('_', '-')}", str(value))]
+    code, out, said = run(*RALLY, *options)
+    assert code == 2 and not out and words in said
+    assert run(*RALLY, *options, "--force")[0] == 0
+    with pytest.raises(InputError, match=words):
+        sweetspot.hit("pickleball-paddle", at="4.4in-from-tip", **given)  # type: ignore[arg-type]
+    with insisting():
+        assert sweetspot.hit("pickleball-paddle", at="4.4in-from-tip", **given).contact_time  # type: ignore[arg-type]
+
+
+def test_the_page_refuses_a_ball_that_nobody_plays_with() -> None:
+    assert ball_of(SwungState(ball_cor=0.55)).restitution.reference == 0.55
+    with pytest.raises(FieldError, match=r"usual is 0.38 to 0.62 in baseball"):
+        ball_of(SwungState(ball_cor=0.8))
+
+
+def test_speeds_of_another_sport_are_told_of_in_python() -> None:
+    with pytest.warns(UnusualWarning, match="usual is 1 to 90 mph"):
+        sweetspot.hit("pickleball-paddle", at="4.4in-from-tip", bat_speed=42.0, pitch_speed=5.0)

@@ -21,12 +21,13 @@ from sweetspot.catalog.records import canonical
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.collision.hit_in_space import Contact
 from sweetspot.dynamics.block import FLOOR_MODULUS, Block, Support
+from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError, UnusualWarning
 from sweetspot.motion.swing import Conditions, Hands, Pitch, Swing
 from sweetspot.motion.swing_path import Side, SwingPath
-from sweetspot.plausibility import insisted, parse, parse_position
+from sweetspot.plausibility import check, insisted, parse, parse_position
 from sweetspot.uncertainty.sources import Sources, sources_of
 from sweetspot.units import INCH, Kind, format_length
 from sweetspot.units.quantities import KIND_OF
@@ -106,10 +107,10 @@ class HitSetup:
         if self.ball is not None:
             _warn_of_other_sport(implement, self.ball)
         if self.ball_cor is not None:
-            ball = ball.with_restitution(self.ball_cor)
+            ball = with_cor(ball, self.ball_cor)
         if self.ball_humidity is not None or self.ball_temperature is not None:
             ball = ball.conditioned(humidity=self.ball_humidity, temperature=self.ball_temperature)
-        return Conditions(
+        conditions = Conditions(
             pitch=usual.pitch if self.pitch_speed is None else Pitch(speed=value_of(self.pitch_speed)),
             swing=Swing(
                 bat_speed=usual.swing.bat_speed if self.bat_speed is None else value_of(self.bat_speed),
@@ -119,6 +120,8 @@ class HitSetup:
             hands=Hands(position=usual.hands.position if self.hands is None else self.hands),
             ball=ball,
         )
+        check_closing_speed(conditions, implement.sport)
+        return conditions
 
     def swung(self, implement: Implement) -> tuple[Conditions, SwungWith | None]:
         """Return how an implement alone is swung: one that was changed or is choked up with the effort of before."""
@@ -143,6 +146,18 @@ class HitSetup:
             bat_speed_error=error_of(self.bat_speed),
             pitch_speed_error=error_of(self.pitch_speed),
         )
+
+
+def with_cor(ball: Ball, cor: float) -> Ball:
+    """Return a ball with another restitution at its law's speed; one that no ball of its sport has is refused."""
+    check(cor, "ball_cor", f"{cor:.4g}", quantity="ball_restitution", sport=ball.sport)
+    return ball.with_restitution(cor)
+
+
+def check_closing_speed(conditions: Conditions, sport: str) -> None:
+    """Refuse a ball and a bat that are fast enough each, and together faster than any hit of a sport."""
+    speed = conditions.pitch.speed + conditions.swing.bat_speed
+    check(speed, "closing speed", f"{speed:.4g} m/s", quantity="closing_speed", sport=sport)
 
 
 def _warn_of_other_sport(implement: Implement, ball: str) -> None:

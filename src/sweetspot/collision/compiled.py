@@ -42,6 +42,8 @@ NEARLY = 1e-4
 """Part of the compression by which the last step of an iteration changes it at most."""
 ROUGH = 0.02
 """Part of the compression: a step from the forecast that is longer than this may leave more than 1e-6 of the force."""
+STEEP = 0.1
+"""One over the power of a force beyond which such a step must be shorter, in proportion to the power."""
 QUIET = -230.0
 """Logarithm of a force that moves nothing, far above the numbers that make processors slow."""
 
@@ -225,14 +227,14 @@ def _push(lane_count: int, damping: float, stray: Array, state: Array) -> None:
         bend = (0.5 * state[POWER, lane] - 0.5) * steepness * inverse
         softened = 1.0 / (1.0 + state[GIVE, lane] * steepness)
         missing *= softened
-        stray[lane] = abs(missing) * inverse
-        rough |= stray[lane] > ROUGH
+        stray[lane] = abs(missing) * inverse * max(1.0, STEEP * state[POWER, lane])
+        rough |= not stray[lane] <= ROUGH  # nor is a forecast whose force is beyond all numbers
         missing *= 1.0 - state[GIVE, lane] * bend * missing * softened
         state[PUSHED, lane] = pushing + missing * (steepness + bend * missing)
         state[DAMPED, lane] = damping / (1.0 + state[SURFACE_GIVE, lane] * (steepness + 2.0 * bend * missing))
     if rough:
         for lane in range(lane_count):
-            if stray[lane] > ROUGH:
+            if not stray[lane] <= ROUGH:
                 foretold = 2.0 * state[FORCE, lane] - state[FORMER, lane]
                 compression, state[PUSHED, lane] = pressed(
                     state[APPROACH, lane], state[GIVE, lane], foretold, state[OFFSET, lane], state[POWER, lane]
@@ -374,8 +376,8 @@ def _turn(lane: int, ball: BallNumbers, step: float, state: Array) -> None:
 def pressed(approach: float, give: float, force: float, offset: float, power: float) -> tuple[float, float]:
     """Return a ball's compression u in m and its force F in N, u + C F(u) = w, by Halley's method from about a force.
 
-    See `contact_law.pressed_in_series`. F = exp(offset) u^power is convex, so that no step leads out of 0 < u <= w;
-    C F <= w bounds the start where the surface is soft.
+    See `contact_law.pressed_in_series`. F = exp(offset) u^power is convex, so that no step from the right of the root
+    passes it; one from the left may, and ends where C F = w at most.
     """
     most = min(approach, exp((log(approach / give) - offset) / power))
     compression = min(max(approach - give * force, 0.25 * approach), most)
@@ -386,6 +388,7 @@ def pressed(approach: float, give: float, force: float, offset: float, power: fl
         softened = 1 / (1 + give * steepness)
         change = (approach - compression - give * force) * softened
         change /= 1 + give * bend * change * softened
+        change = min(change, most - compression)
         compression += change
         force += change * (steepness + bend * change)
         if abs(change) < NEARLY * compression:  # the next change is about the cube of this one

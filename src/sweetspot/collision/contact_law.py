@@ -107,6 +107,10 @@ def pressed_in_series(
     The surface under the ball deflects by C G without delay: a massless spring in series with the ball, without loss.
     The ball's damper is taken across both; where the surface feels the damper's force too, q is 6e-4 higher at most.
 
+    F is convex in u, so from the right of the root no step passes it; a step from the left may end far beyond it, where
+    the way back of a ball that gives nearly nothing back (F as u^800) is beyond all numbers. No ball on its way back is
+    pressed further than where it turned: no step leads beyond that.
+
     Parameters
     ----------
     approach : w in m, > 0.
@@ -118,11 +122,12 @@ def pressed_in_series(
     tuple
         the ball's compression u in m, its elastic force G in N and dG/du in N/m.
     """
-    compression = max(approach - compliance * force, approach / 4)
+    most = approach if turned_at is None else min(approach, turned_at)
+    compression = min(max(approach - compliance * force, approach / 4), most)
     for _ in range(NEWTON_STEPS if compliance else 0):
         force, slope = law.force_and_slope(compression, turned_at)
         change = (approach - compression - compliance * force) / (1 + compliance * slope)
-        compression = max(compression + change, compression / 4)
+        compression = min(max(compression + change, compression / 4), most)
         if abs(change) < NEARLY * compression:
             break
     return compression, *law.force_and_slope(compression, turned_at)

@@ -164,16 +164,16 @@ def _pressed(
     ball: BallNumbers, approach: float, compliance: float, turned_at: float, force: float
 ) -> tuple[float, float, float]:
     """Return compression, elastic force and its slope; see `contact_law.pressed_in_series` and `ContactLaw`."""
-    largest, reference, power = ball.stiffness, 1.0, ball.exponent
+    largest, reference, power, most = ball.stiffness, 1.0, ball.exponent, approach
     if not math.isnan(turned_at):
         largest, reference = ball.stiffness * turned_at**ball.exponent, turned_at
-        power = unloading_power(ball, turned_at, largest)
-    compression = max(approach - compliance * force, approach / 4)
+        power, most = unloading_power(ball, turned_at, largest), min(approach, turned_at)
+    compression = min(max(approach - compliance * force, approach / 4), most)
     for _ in range(NEWTON_STEPS if compliance > 0 else 0):
         force = largest * (compression / reference) ** power
         slope = power * force / compression
         change = (approach - compression - compliance * force) / (1 + compliance * slope)
-        compression = max(compression + change, compression / 4)
+        compression = min(max(compression + change, compression / 4), most)
         if abs(change) < NEARLY * compression:
             break
     force = largest * (compression / reference) ** power

@@ -11,6 +11,7 @@ from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import Analysis, analyse_reduced
 from sweetspot.analysis.comparison import ChangedBat
 from sweetspot.analysis.what_if import varied
+from sweetspot.answers.setups import check_closing_speed, with_cor
 from sweetspot.catalog.balls import ball_of_text, listed_ball
 from sweetspot.catalog.bats import bat_tables
 from sweetspot.catalog.files.bat import table_of_text
@@ -100,7 +101,8 @@ def ball_of(state: SwungState) -> Ball:
     """Return the ball as the controls say: bought with this restitution, then stored."""
     ball = bought_ball(state)
     if state.ball_cor is not None:
-        ball = ball.with_restitution(state.ball_cor)
+        with about("ball_cor"):
+            ball = with_cor(ball, state.ball_cor)
     if state.ball_humidity is None and state.ball_temperature_degf is None:
         return ball
     warm = None if state.ball_temperature_degf is None else (state.ball_temperature_degf - 32) / 1.8
@@ -163,12 +165,15 @@ def _as_given(state: SwungState, bat: Bat) -> Conditions:
     with about("bat_speed_mph"):
         speed = hit.swing.bat_speed if state.bat_speed_mph is None else state.bat_speed_mph * MPH
         swing = Swing(bat_speed=speed, measured_at=bat.length - SPEED_FROM_TIP, pivot=bat.choke)
-    return Conditions(
+    conditions = Conditions(
         pitch=pitch,
         swing=swing,
         hands=Hands(position=bat.choke + state.hands_in * INCH),
         ball=ball_of(state),
     )
+    with about("bat_speed_mph"):
+        check_closing_speed(conditions, bat.sport)
+    return conditions
 
 
 def analysed(state: SwungState) -> Analysis[Bat]:
