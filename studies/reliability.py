@@ -21,8 +21,9 @@ import polars as pl
 from numpy.typing import NDArray
 
 from sweetspot import catalog
+from sweetspot.catalog.league_batters import LEAGUE_BAT, LEAGUE_PITCH, SQUARED_UP
 from sweetspot.seasons.balls import balls_of
-from sweetspot.seasons.contact import BLAST, LEAGUE_BAT, LEAGUE_PITCH, SQUARED_UP
+from sweetspot.seasons.contact import BLAST
 from sweetspot.seasons.headings import headings_of
 from sweetspot.seasons.made_up import LIKE_THE_LEAGUE, MadeSeason, made_season
 from sweetspot.seasons.pooling import pooled

@@ -207,8 +207,7 @@ def answer(advice: Advice, swings: SwingFile) -> FitPlayerAnswer:
 
 def test_the_answers_in_words(advice: Advice, answer: FitPlayerAnswer, swings: SwingFile) -> None:
     asked = {question: str(words) for question, words in answers(advice)}
-    assert set(asked) >= {"Balanced or end-loaded?", "Choke up?", "What is better contact worth?", "Which bat?"}
-    assert "What is more bat speed worth?" in asked
+    assert set(asked) >= {"Balanced or end-loaded?", "Choke up?", "Which bat?"}
     unknown = {
         question for question, spoken in asked.items() if spoken.startswith(("These swings cannot", "Not known"))
     }

@@ -17,6 +17,7 @@ SMALL: dict[str, str] = {
     "calibrated_bats": "--count 1 --kinds hollow",
     "calibration_coverage": "--count 1",
     "held_out": "--balls 400",
+    "league_batters": "--swings {data}",
     "league_coverage": "--players 5 --swings 20 --simulator own",
     "measured_bats": "--count 2",
     "measured_spin": "--count 3000",
@@ -42,6 +43,7 @@ SMALL: dict[str, str] = {
 READS = {
     "ball_scatter": ["cmu36sure2026_battedballs_battracking.csv.gz"],
     "held_out": ["cmu36sure2026_battedballs_battracking.csv.gz"],
+    "league_batters": ["cmu36sure2026_battedballs_battracking.csv.gz"],
     "park_ranking": [
         "savant_2022_contact_sample.csv.gz",
         "savant_2019_homeruns.csv.gz",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from contextlib import nullcontext
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
 from sweetspot.answers.answer import Answer, Progress, frame_of
@@ -16,12 +16,21 @@ from sweetspot.answers.player_question import (
     player_posterior,
     read_player,
 )
+from sweetspot.answers.player_training import (
+    DIMENSIONS,
+    GOAL_DIMENSIONS,
+    ChangeWorth,
+    HardestHitBalls,
+    StandingAmong,
+    change_worth,
+    hardest_hit_balls,
+    standing_among,
+)
 from sweetspot.answers.records import (
     INTERNAL,
     NESTED,
     OF_RECORD,
     PLAIN_ENDS,
-    Angle,
     Distance,
     Length,
     Mass,
@@ -33,21 +42,14 @@ from sweetspot.numerics.interval import LEVEL, Interval, Number
 from sweetspot.player.advice import PLACES, Advice, Option
 from sweetspot.player.bat_pairs import BatPair, MeasuredBat, measured_bats
 from sweetspot.player.best_bat import BatChance
-from sweetspot.player.expected_gain import Change
-from sweetspot.player.goal import GoalName
 from sweetspot.player.posterior import Learned, PlayerPosterior
 from sweetspot.player.prior import PARAMETERS
 from sweetspot.player.swings import SwingFile
 from sweetspot.tables.cells import BadRow
-from sweetspot.units import Kind
-from sweetspot.units.dimensions import ANGLE, DISTANCE, LENGTH, RATIO, SPEED, Dimension, System
+from sweetspot.units.dimensions import LENGTH, SPEED, Dimension, System
 
 if TYPE_CHECKING:
     import polars
-
-PART_OF_HITS = Dimension("_ratio", "_ratio")
-GOAL_DIMENSIONS: Mapping[GoalName, Dimension] = {"exit-speed": SPEED, "carry": DISTANCE, "line": PART_OF_HITS}
-DIMENSIONS: Mapping[Kind, Dimension] = {"speed": SPEED, "length": LENGTH, "angle": ANGLE, "ratio": RATIO}
 
 
 @dataclass(frozen=True)
@@ -198,29 +200,6 @@ class ContactCurve:
     dimension: Annotated[Dimension, INTERNAL]
 
 
-@dataclass(frozen=True)
-class ChangedPlayer:
-    """What of a player is changed; None: nothing of that."""
-
-    bat_speed: Speed | None = None
-    position: Length | None = None
-    position_spread: Length | None = None
-    offset: Length | None = None
-    offset_spread: Length | None = None
-    attack_angle: Angle | None = None
-
-
-@dataclass(frozen=True)
-class ChangeWorth:
-    """A change of the player, and what it brings this one and anybody; whether own swings tell."""
-
-    change: ChangedPlayer
-    gain: Annotated[Number, OF_RECORD, NESTED]
-    usual_gain: Annotated[Number, OF_RECORD, NESTED]
-    told_by_swings: bool
-    dimension: Annotated[Dimension, INTERNAL]
-
-
 @dataclass(frozen=True, kw_only=True)
 class FitPlayerAnswer(Answer):
     """What swings say about a player, and what would serve; contact places from the tip.
@@ -241,6 +220,9 @@ class FitPlayerAnswer(Answer):
     contact_point_from_tip, contact_point_gain : where the mean contact should lie, and what that brings.
     contact_height, contact_height_gain : the same for the ball's centre above the bat's axis.
     worth : what single changes of the player bring, by key.
+    training : keys of `worth`, what may bring something by what it brings, the most first.
+    standing : where the player stands among others.
+    hardest_hit : how the league's hardest-hit balls at this bat speed were met; None: none are tabled.
     """
 
     question: Annotated[FitPlayerQuestion, INTERNAL]
@@ -268,6 +250,9 @@ class FitPlayerAnswer(Answer):
     contact_height_gain: Annotated[Number, OF_RECORD, NESTED]
     contact_curve: ContactCurve
     worth: Mapping[str, ChangeWorth]
+    training: tuple[str, ...]
+    standing: tuple[StandingAmong, ...]
+    hardest_hit: HardestHitBalls | None
 
     @property
     def dimension(self) -> Dimension:
@@ -355,10 +340,10 @@ def player_answer(swings: PlayerSwings, advice: Advice) -> FitPlayerAnswer:
         contact_height=advice.height_point,
         contact_height_gain=advice.height_gain,
         contact_curve=ContactCurve(PLACES, advice.contact_curve, dimension),
-        worth={
-            key: ChangeWorth(_changed(worth.change), worth.gain, worth.usual, worth.own, dimension)
-            for key, worth in advice.worth.items()
-        },
+        worth={key: change_worth(worth, dimension) for key, worth in advice.worth.items()},
+        training=tuple(worth.key for worth in advice.ranked_worth),
+        standing=tuple(standing_among(standing) for standing in advice.standing.quantities),
+        hardest_hit=hardest_hit_balls(advice.standing),
     )
 
 
@@ -417,7 +402,3 @@ def _best_bat(advice: Advice, dimension: Dimension) -> BestBat | None:
         return None
     best = None if advice.named_best is None else advice.named_best.name
     return BestBat(best, choice.bats, choice.lead, choice.own, dimension)
-
-
-def _changed(change: Change) -> ChangedPlayer:
-    return ChangedPlayer(**{name: value for name, value in asdict(change).items() if value})

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Annotated
 
 from sweetspot.answers.answer import Answer, Progress, frame_of
 from sweetspot.answers.player import (
-    GOAL_DIMENSIONS,
     ParameterRange,
     parameter_dimension,
     parameter_range,
 )
 from sweetspot.answers.player_question import FitPlayerQuestion, player_advice, player_posterior, read_player
+from sweetspot.answers.player_training import GOAL_DIMENSIONS
 from sweetspot.answers.records import INTERNAL, OF_RECORD, PLAIN_ENDS, Length, Speed
 from sweetspot.errors import InputError, SweetspotError
 from sweetspot.numerics.interval import Number

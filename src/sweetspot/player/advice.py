@@ -23,6 +23,7 @@ from sweetspot.player.expected_gain import NO_CHANGE, Change, Expectation, expec
 from sweetspot.player.goal import Goal, carry_table
 from sweetspot.player.posterior import NOTHING_LEARNED, PlayerPosterior, interval
 from sweetspot.player.prior import NAMES
+from sweetspot.player.standing import PlayerStanding, player_standing
 from sweetspot.player.unlike_bats import beyond_own, livelier
 from sweetspot.units import INCH, MPH
 
@@ -32,6 +33,8 @@ OFFSETS = np.arange(-0.5, 1.76, 0.15) * INCH
 """m above the bat's axis where the mean contact is tried."""
 ATTACK_CHANGE = float(np.radians(5.0))
 """rad steeper upward, of which the worth is asked."""
+TWO_WAYS = (("towards_tip", "towards_hands"), ("higher", "lower"), ("attack_angle", "flatter"))
+"""Changes of a player that are each other's opposite: at most one of them serves."""
 SAME_LENGTH = 0.25 * INCH
 """m; bats whose lengths differ by less are swung alike. Our choice: bats come in half inches."""
 
@@ -102,6 +105,7 @@ class Advice:
     contact_curve : expected goal at every place of `PLACES`, mean over the draws.
     height_point, height_gain : the same for the mean offset above the bat's axis.
     worth : what single changes are worth, by key.
+    standing : where the player stands among others.
     """
 
     posterior: PlayerPosterior
@@ -120,6 +124,7 @@ class Advice:
     height_point: Interval
     height_gain: Interval
     worth: dict[str, Worth]
+    standing: PlayerStanding
 
     def lighter(self) -> Advice:
         """Return the advice with few of the fit's draws."""
@@ -159,6 +164,15 @@ class Advice:
     def surely_best(self) -> Option | None:
         """The bat that is surely better by most, None where there is none."""
         return next((option for option in self.options if self.sign_of(option) > 0), None)
+
+    @property
+    def ranked_worth(self) -> tuple[Worth, ...]:
+        """The changes of the player that may bring something, the most first; of two opposite ones the better."""
+        worse = {min(both, key=lambda key: self.worth[key].gain.value) for both in TWO_WAYS}
+        gaining = [
+            worth for key, worth in self.worth.items() if key not in worse and worth.gain.value > self.goal.nothing
+        ]
+        return tuple(sorted(gaining, key=lambda worth: -worth.gain.value))
 
     @property
     def surely_worth(self) -> tuple[Worth, ...]:
@@ -227,6 +241,7 @@ def advise(
         height_point=height,
         height_gain=height_gain,
         worth={key: beside.worth(key, change) for key, change in _changes().items()},
+        standing=player_standing(posterior),
     )
 
 
@@ -308,7 +323,10 @@ def _changes() -> dict[str, Change]:
         "offset_spread": Change(offset_spread=-0.25 * INCH),
         "towards_tip": Change(position=-1 * INCH),
         "towards_hands": Change(position=1 * INCH),
+        "higher": Change(offset=0.25 * INCH),
+        "lower": Change(offset=-0.25 * INCH),
         "attack_angle": Change(attack_angle=ATTACK_CHANGE),
+        "flatter": Change(attack_angle=-ATTACK_CHANGE),
     }
 
 

@@ -13,6 +13,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from sweetspot.catalog.league_batters import LEAGUE_BAT, LEAGUE_PITCH, SQUARED_UP
 from sweetspot.equipment.ball import Ball
 from sweetspot.motion.swing import SPEED_FROM_TIP
 from sweetspot.motion.swing_law import SwingLaw
@@ -27,10 +28,6 @@ from sweetspot.seasons.plane_hits import PLACES, BatInPlane
 from sweetspot.seasons.swings import OUTCOMES, USUAL_ERRORS, Errors, InPlane, ceilings, in_plane, likeliest_speeds
 from sweetspot.units import MPH
 
-LEAGUE_BAT, LEAGUE_PITCH = 1.23, 0.23
-"""The league's greatest exit speed per bat speed and per pitch speed at the plate [statcast]."""
-SQUARED_UP = 0.80
-"""Of the greatest exit speed, from which the league calls a ball squared up [statcast]."""
 BLAST = 164.0
 """Percent of the league's greatest exit speed and mph of bat speed together, from which it is a blast [statcast]."""
 CHUNK = 8192

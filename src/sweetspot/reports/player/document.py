@@ -24,6 +24,7 @@ from sweetspot.reports.document import (
     table_head,
 )
 from sweetspot.reports.player.phrases import GOALS, goal_shown, goal_words, option_words, pairs_table, pitch_words
+from sweetspot.reports.player.training import training_section
 from sweetspot.reports.player.words import PARAMETERS, answers, findings, notes, parameter_shown
 from sweetspot.reports.quantities import US
 from sweetspot.reports.sentences import Sentence, Slot, Words, read, say
@@ -51,6 +52,7 @@ def player_document(answer: FitPlayerAnswer, *, player: str = "", day: str = "")
         blocks=[
             _cards(advice),
             *map(Paragraph, found),
+            training_section(advice),
             Section("answers", "Questions and answers", [Question(*pair) for pair in asked]),
             picture,
         ],

@@ -17,7 +17,7 @@ from sweetspot.player.model import PlayerModel
 from sweetspot.player.posterior import Learned, PlayerPosterior
 from sweetspot.player.swings import SwingFile
 from sweetspot.reports.player.decision import lead_paragraphs
-from sweetspot.reports.player.phrases import changes, goal_shown, goal_words, of_those_swung, option_words
+from sweetspot.reports.player.phrases import goal_shown, goal_words, of_those_swung, option_words
 from sweetspot.reports.sentences import Sentence, Words, joined, say, within
 from sweetspot.tables.cells import BadRow
 from sweetspot.units import INCH, OUNCE
@@ -84,8 +84,6 @@ def answers(advice: Advice) -> list[tuple[str, Sentence]]:
         ("Longer or shorter?", _length(advice)),
         ("Choke up?", _choke(advice)),
         ("Where should the ball meet the bat?", _place(advice)),
-        ("What is better contact worth?", _inch(advice)),
-        ("What is more bat speed worth?", _worth(advice, "bat_speed")),
     ]
 
 
@@ -290,12 +288,12 @@ def _choke(advice: Advice) -> Sentence:
         return say("Could not be tried.")
     if not option.own:
         return say(
-            "{words} What better control is worth stands under better contact.",
+            "{words}",
             words=CANNOT_TELL,
         )
     return say(
         "{answer}, as far as {goal} goes: held {inch:place} further up, bat speed is {speed:speed, ends} and the "
-        "change {gain}. Better control, if there is any, is not counted; compare it with what better contact is worth.",
+        "change {gain}. Better control, if there is any, is not counted; compare it with what less scatter is worth.",
         answer={1: "Yes", -1: "No", 0: "These swings cannot tell"}[advice.sign_of(option)],
         goal=goal_words(advice.goal),
         inch=INCH,
@@ -317,20 +315,6 @@ def _place(advice: Advice) -> Sentence:
         high=advice.height_point,
         more=goal_shown(advice.height_gain, advice.goal, sign=True),
     )
-
-
-def _inch(advice: Advice) -> Sentence:
-    parts = [
-        say("{change}: {gain}", change=words, gain=goal_shown(advice.worth[key].gain, advice.goal, sign=True))
-        for key, words in changes().items()
-        if key != "bat_speed"
-    ]
-    return joined(parts, "; ") + "."
-
-
-def _worth(advice: Advice, key: str) -> Sentence:
-    gain = goal_shown(advice.worth[key].gain, advice.goal, sign=True)
-    return say("{change}: {gain} of {goal}.", change=changes()[key], gain=gain, goal=goal_words(advice.goal))
 
 
 def notes(swings: SwingFile) -> list[str]:

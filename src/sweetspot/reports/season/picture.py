@@ -13,12 +13,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from sweetspot.catalog.league_batters import SQUARED_UP
 from sweetspot.numerics.arrays import Array
 from sweetspot.reports.pictures.panels import Panel, frame
 from sweetspot.reports.pictures.style import MUTED, SMALL, styled
 from sweetspot.reports.quantities import BLUE, ORANGE, RED, US, Reader
 from sweetspot.reports.season.words import SCALES
-from sweetspot.seasons.contact import SQUARED_UP
 from sweetspot.seasons.season_drag import DragOfMonth, LeftOver, drag_by_month, left_over_by
 from sweetspot.units import INCH, grouped
 
