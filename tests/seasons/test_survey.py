@@ -575,6 +575,16 @@ def test_whose_name_player_name_is(table: Write) -> None:
     require_batter([found.tables[0].path], "Batter, 600001")
 
 
+def test_whose_name_player_name_is_without_pitchers(table: Write) -> None:
+    """One name for each batter and one batter for each name; names of pitchers go over several batters."""
+    bare = made_up().drop("pitcher")
+    found = look(table("theirs.csv", bare.with_columns(player_name=pl.format("Batter, {}", "batter"))))
+    assert found.tables[0].headings.columns["batter_name"].heading == "player_name"
+    for number, names in enumerate((bare["batter"] % 2, bare["batter"] * 0)):
+        others = look(table(f"others_{number}.csv", bare.with_columns(player_name=pl.format("Pitcher, {}", names))))
+        assert not others.tables[0].headings.has("batter_name")
+
+
 def test_duplicates_are_found_by_whatever_name_a_batter_is_known(table: Write) -> None:
     """By number in one export, by name in the next; and columns that only one of them has do not matter."""
     frame = made_up()

@@ -123,21 +123,36 @@ def told_by_rows(headings: Headings, frame: pl.LazyFrame) -> tuple[Headings, lis
 def with_player_name(headings: Headings, frame: pl.LazyFrame) -> Headings:
     """Return headings in which ``player_name`` is the batter's where it goes with the batter's number.
 
-    A search for pitchers exports their names, a search for batters theirs, under the same heading.
+    A search for pitchers exports their names, a search for batters theirs, under the same heading. Without pitchers in
+    the table the name is the batter's where no batter has two names, and no name two batters.
 
     >>> from sweetspot.seasons.headings import headings_of
     >>> table = pl.DataFrame({"launch_speed": [90, 91], "player_name": ["A", "A"], "batter": [1, 1], "pitcher": [2, 3]})
     >>> with_player_name(headings_of(table.columns), table.lazy()).has("batter_name")
     True
     """
-    if not headings.has("player_name", "batter", "pitcher") or headings.has("batter_name"):
+    if not headings.has("player_name", "batter") or headings.has("batter_name"):
         return headings
     columns = headings.columns
-    name, batter, pitcher = (pl.col(columns[quantity].heading) for quantity in ("player_name", "batter", "pitcher"))
-    seen = frame.select(name, batter, pitcher).head(SEEN).filter(name.is_not_null())
-    pairs = {"batters": pl.struct(name, batter).n_unique(), "pitchers": pl.struct(name, pitcher).n_unique()}
-    batters, pitchers = seen.select(**pairs).collect().row(0)
-    if batters >= pitchers:
+    people = {
+        quantity: pl.col(columns[quantity].heading)
+        for quantity in ("player_name", "batter", "pitcher")
+        if quantity in columns
+    }
+    name, batter = people["player_name"], people["batter"]
+    seen = frame.select(*people.values()).head(SEEN).filter(name.is_not_null() & batter.is_not_null())
+    pairs = pl.struct(name, batter).n_unique()
+    if "pitcher" in people:
+        batters, pitchers = (
+            seen.select(pairs, pl.struct(name, people["pitcher"]).n_unique().alias("others")).collect().row(0)
+        )
+        is_batter = batters < pitchers
+    else:
+        couples, names, batters, rows = (
+            seen.select(pairs, names=name.n_unique(), batters=batter.n_unique(), rows=pl.len()).collect().row(0)
+        )
+        is_batter = couples == names == batters < rows
+    if not is_batter:
         return headings
     others = {quantity: column for quantity, column in columns.items() if quantity != "player_name"}
     return replace(headings, columns=others | {"batter_name": replace(columns["player_name"], quantity="batter_name")})
