@@ -336,3 +336,28 @@ def test_nothing_is_kept_of_many_views(page: Page, server: str, answered: Answer
     first, later = rounds(2), rounds(6)
     for name in ("Nodes", "JSEventListeners"):
         assert later[name] < 1.25 * first[name] + 60, (name, first[name], later[name])
+
+
+def test_an_address_that_names_no_control_says_so(page: Page, server: str, settled: Wait) -> None:
+    page.goto(f"{server}/compare?bats=left&pitch_speed_mph=80&units=us")
+    settled(page)
+    said = page.locator("#unknown")
+    expect(said).to_have_text("Compare has no control \u201cbats\u201d; that part of the address changes nothing.")
+    page.locator("#views a", has_text="Design").click()
+    settled(page)
+    expect(said).to_be_hidden()
+
+
+def test_paper_has_the_words_of_folds_but_no_tables_of_pictures(page: Page, server: str, settled: Wait) -> None:
+    page.goto(f"{server}/explorer")
+    settled(page)
+    folds = ("What the report says", "These curves as a table", "How sure these numbers are")
+    report, numbers, sure = (page.locator(f"#view details:has-text('{words}')").last for words in folds)
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    expect(report.locator("p").first).to_be_visible()
+    expect(numbers).to_be_hidden()
+    expect(sure).to_be_hidden()  # nobody has asked for it, so that nothing would stand under its heading
+    page.emulate_media(media="null")
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert report.get_attribute("open") is None

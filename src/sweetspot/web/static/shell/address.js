@@ -1,6 +1,6 @@
 // A view's state as an address and back: /explorer?pitch_speed_mph=85; only what differs from the first picture.
 
-const PACKED = "s";
+const PACKED = "s", SYSTEM = "units"; // what an address may hold beside fields
 export const LONG_ADDRESS = 2000; // letters from which mail programs, chats and servers on the way may cut an address off
 const MOST_UNPACKED = 65536; // letters of what a short address may hold
 
@@ -59,6 +59,10 @@ async function through(stream, bytes) {
   }
   return Uint8Array.from(parts);
 }
+
+// The names in an address that are no fields of the view, such as those of another version, or of a slip of the pen.
+/** @param {string} search @param {Record<string, Property>} schema */
+export const unknownIn = (search, schema) => [...new Set(new URLSearchParams(search).keys())].filter((name) => name !== PACKED && name !== SYSTEM && !Object.hasOwn(schema, name));
 
 // Unknown names are left out; values are read by the schema's type and checked by the server.
 /** @param {string} search @param {Record<string, Property>} schema @param {Fields} defaults */

@@ -5,7 +5,7 @@ import { download, downloadBlob } from "./download.js";
 import { makerOf, saveOneFile } from "./onefile.js";
 import { posted } from "./post.js";
 import { FONT, wrapped } from "../charts/surface.js";
-import { make, partOf } from "../controls/parts.js";
+import { byId, make, partOf } from "../controls/parts.js";
 import { SvgContext } from "../charts/svgcontext.js";
 /** @import { App } from "./main.js" */
 
@@ -158,13 +158,19 @@ function sourceOf(app) {
   return `sweetspot ${app.version}, ${date}. Model, data and their sources: the documentation, "Sources" and "Validation". State: ${state}`;
 }
 
-// A printed sheet has no controls: at its foot stands under which conditions it holds, by what and when.
+// A printed sheet has no controls, and its folds are open but for tables of a picture's numbers and for what was never
+// asked for; at its foot stands under which conditions it holds, by what and when.
 /** @param {App} app */
 export function onPaper(app) {
   addEventListener("beforeprint", () => {
     const foot = make("p", { className: "note", textContent: `${conditionsOf(app)}. ${sourceOf(app)}` });
-    partOf(document, "#view", HTMLElement).append(foot);
-    addEventListener("afterprint", () => foot.remove(), { once: true });
+    const view = byId("view"), shut = [...view.querySelectorAll("details:not([open], .numbers)")].filter((fold) => !fold.querySelector("[aria-busy=true]"));
+    for (const fold of shut) fold.setAttribute("open", "");
+    view.append(foot);
+    addEventListener("afterprint", () => {
+      foot.remove();
+      for (const fold of shut) fold.removeAttribute("open");
+    }, { once: true });
   });
 }
 

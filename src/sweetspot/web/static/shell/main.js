@@ -34,7 +34,7 @@
 //   app.control(control)     registers a control made by controls.js; those made with (app, field, ...) do it themselves
 //   app.calm       true where people asked their system for less motion: do not start animations by yourself
 
-import { LONG_ADDRESS, addressOf, shortAddressOf, stateIn } from "./address.js";
+import { LONG_ADDRESS, addressOf, shortAddressOf, stateIn, unknownIn } from "./address.js";
 import { Bench } from "../bat/bench.js";
 import { Chip } from "../bat/chip.js";
 import { drawerOf } from "./drawer.js";
@@ -46,7 +46,7 @@ import { byId, partOf, write } from "../controls/parts.js";
 import { posted } from "./post.js";
 import { shareButton } from "./share.js";
 import { Line } from "./socket.js";
-import { showAbsent, showFaults, showStatus } from "./status.js";
+import { showAbsent, showFaults, showStatus, showUnknown } from "./status.js";
 import { Steps } from "../controls/steps.js";
 import { explain, listTerms } from "./terms.js";
 import { exportButton, menuButton, stepButton, switchOf, themeButton } from "./toolbar.js";
@@ -330,6 +330,7 @@ export class App {
     const kept = history.state?.view === this.name ? history.state.state : null;
     const told = kept ?? await stateIn(location.search, this.schema, this.defaults);
     if (turn !== this.turn) return;
+    showUnknown(unknownIn(location.search, this.schema), entry.title);
     this.take(told);
     if (location.href.length > LONG_ADDRESS) this.commit({ instead: true });
     else pointBar(this);

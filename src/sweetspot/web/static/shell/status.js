@@ -1,9 +1,10 @@
 // What is wrong, said on top of the page: with the server, or with a question and no control to say it beside.
 
-import { byId, make, partOf } from "../controls/parts.js";
+import { byId, make, partOf, showWords } from "../controls/parts.js";
 /** @import { Control, Fault } from "./main.js" */
 /** @import { System } from "../controls/units.js" */
 
+const MOST = 4, LONGEST = 40; // names that are told, and letters of one
 /** @type {Record<string, string>} */
 const WORDS = {
   open: "",
@@ -27,6 +28,12 @@ export function showAbsent(title) {
   view.querySelector(":scope > .absent")?.remove();
   view.toggleAttribute("data-absent", title !== "");
   if (title) view.append(make("p", { className: "absent picture wide", textContent: `${title} needs the server, which does not answer. It comes by itself once the connection is back.` }));
+}
+
+// What an address names and no control of the view is called; a slip would otherwise change nothing without a word.
+/** @param {string[]} names @param {string} title */
+export function showUnknown(names, title) {
+  showWords(byId("unknown"), names.length ? `${title} has no ${names.length > 1 ? "controls" : "control"} ${names.slice(0, MOST).map((name) => `“${name.slice(0, LONGEST)}”`).join(", ")}${names.length > MOST ? " …" : ""}; that part of the address changes nothing.` : "");
 }
 
 // What is wrong, in the reader's units.
