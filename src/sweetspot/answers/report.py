@@ -12,38 +12,29 @@ from sweetspot.analysis.bat_analysis import Analysis, Loss, analyse_reduced, exi
 from sweetspot.analysis.face_maps import FaceMap, face_map
 from sweetspot.analysis.sweet_spot import SweetSpots
 from sweetspot.answers.answer import Answer, Uncertainty, with_draws
-from sweetspot.answers.conditions import HitConditions, MassProperties, hit_conditions, mass_properties
-from sweetspot.answers.handling import Handling, HitBeside, handling_of, hits_beside
+from sweetspot.answers.conditions import HitConditions, hit_conditions
+from sweetspot.answers.description import Description, described
+from sweetspot.answers.handling import HitBeside, hits_beside
 from sweetspot.answers.hit import Hit, hit_of
-from sweetspot.answers.paddle_numbers import PaddleFace, paddle_face
 from sweetspot.answers.records import (
     GAPS,
     GRID,
-    INLINE,
     INTERNAL,
-    Force,
     Frequency,
     Length,
     Mass,
-    MomentOfInertia,
     Ratio,
     Speed,
 )
 from sweetspot.answers.report_draws import drawn_report
 from sweetspot.answers.setups import SwungWith
 from sweetspot.catalog.sports import sport
-from sweetspot.catalog.swing_laws import swing_weight
-from sweetspot.dynamics.clamped import clamped_frequency
-from sweetspot.dynamics.hoop import squeezing_force
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import ReducedBat
-from sweetspot.dynamics.rigid import effective_mass, moi_doubt
-from sweetspot.equipment.bat import Bat
-from sweetspot.equipment.golf_club import GolfClub
+from sweetspot.dynamics.rigid import effective_mass
 from sweetspot.equipment.implement import Implement
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import REACH, Curve, Interval
 from sweetspot.uncertainty.drawn_hits import SpeedDoubt, speed_doubt
 from sweetspot.uncertainty.sources import DRAWS, Sources, errors_by_ball
@@ -54,13 +45,6 @@ WRITTEN_MODES = ("bending", "hoop", "face")
 """Families of modes that are answered; rigid motions and the hands' own are not."""
 MISSES = {"in": (1 * INCH, 2 * INCH, 3 * INCH), "cm": (0.02, 0.04, 0.06)}
 """m, by the unit in which a sport's people read places; half of that on faces too short for two of them."""
-
-
-@dataclass(frozen=True)
-class ReportedMass(MassProperties):
-    """Mass properties, with the standard deviation of the moment of inertia 6 in from the knob."""
-
-    moi_6in_doubt: MomentOfInertia
 
 
 @dataclass(frozen=True)
@@ -159,26 +143,14 @@ class HitsOnFace:
     sting: Annotated[Array, GRID, GAPS]
 
 
-@dataclass(frozen=True)
-class SwingWeightText:
-    """How heavy the swing is by the sport's own measure."""
-
-    name: str
-    text: str
-
-
 @dataclass(frozen=True, kw_only=True)
-class ReportAnswer(Answer):
-    """Everything about one implement and one swing.
+class ReportAnswer(Description, Answer):
+    """Everything about one implement and one swing; see `Description` for what it is unswung.
 
     Parameters
     ----------
     grip_effect : relative change of the best exit speed by typical hands.
-    sport, swing_weight, face_map : of what has a face.
-    handling : how a racket handles; None for other implements.
-    clamped_frequency : of a club whose grip is clamped; None for other implements.
-    barrel_compression : load that brings two sides of a hollow barrel 0.050 in nearer; None for other implements.
-    paddle : numbers of a paddle; None for other implements.
+    face_map : of what has a face.
     off_center : hits beside the middle, of what has a flat face; the ball leaves at an angle.
     misses : what they cost; none on a face too short for one.
     at_the_tip : None where the tip is the best place, or moves no faster.
@@ -189,7 +161,6 @@ class ReportAnswer(Answer):
     greatest_efficiency, lowest_hoop : greatest q along it; the lowest tone of its wall, None where it has no wall.
     """
 
-    bat: ReportedMass
     modes: tuple[VibrationMode, ...]
     sweet_spots: SweetSpotPlaces
     scan: CurvesAlong
@@ -198,12 +169,6 @@ class ReportAnswer(Answer):
     conditions: HitConditions
     misses: tuple[Miss, ...]
     at_the_tip: AtTheTip | None
-    sport: str | None = None
-    swing_weight: SwingWeightText | None = None
-    handling: Handling | None = None
-    clamped_frequency: Frequency | None = None
-    barrel_compression: Force | None = None
-    paddle: Annotated[PaddleFace | None, INLINE] = None
     off_center: tuple[HitBeside, ...] = ()
     face_map: HitsOnFace | None = None
     uncertainty: Uncertainty | None = None
@@ -263,10 +228,9 @@ def _described(analysis: Analysis[Implement]) -> ReportAnswer:
     """Return the report of an implement as it is described."""
     bat, body, scan, spots = analysis.bat, analysis.body, analysis.scan, analysis.sweet_spots
     hoops, face = analysis.modes.of_family("hoop"), bat.face is not None
-    convention = swing_weight(bat.sport)
     best = hit_of(analysis.best, body=body, conditions=analysis.conditions)
     return ReportAnswer(
-        bat=ReportedMass(**vars(mass_properties(bat, body)), moi_6in_doubt=moi_doubt(bat, body, STANDARD_AXIS)),
+        **vars(described(analysis.beam, body)),
         modes=vibration_modes(analysis.modes),
         sweet_spots=sweet_spot_places(spots),
         scan=CurvesAlong(
@@ -284,12 +248,6 @@ def _described(analysis: Analysis[Implement]) -> ReportAnswer:
         conditions=hit_conditions(analysis.conditions),
         misses=misses_of(analysis),
         at_the_tip=_at_the_tip(analysis),
-        sport=bat.sport if face else None,
-        swing_weight=SwingWeightText(convention.name, convention.text_of(body)) if face else None,
-        handling=handling_of(bat, body),
-        clamped_frequency=clamped_frequency(analysis.beam) if isinstance(bat, GolfClub) else None,
-        barrel_compression=squeezing_force(analysis.beam) if isinstance(bat, Bat) and bat.shell is not None else None,
-        paddle=paddle_face(bat, body),
         off_center=hits_beside(bat, body, analysis.modes, analysis.conditions),
         face_map=hits_on_face(face_map(analysis.reduced, analysis.conditions)) if face else None,
         analysis=analysis,

@@ -8,7 +8,7 @@ from typing import Annotated
 from sweetspot.analysis.bat_analysis import check_swing
 from sweetspot.analysis.sweet_spot import barrel_node
 from sweetspot.answers.answer import Answer
-from sweetspot.answers.conditions import MassProperties, mass_properties
+from sweetspot.answers.description import Description, described
 from sweetspot.answers.records import INTERNAL, Length
 from sweetspot.answers.report import VibrationMode, vibration_modes
 from sweetspot.dynamics.reduction import ReducedBat
@@ -27,10 +27,9 @@ class QuietPlaces:
 
 
 @dataclass(frozen=True, kw_only=True)
-class UnhitAnswer(Answer):
+class UnhitAnswer(Description, Answer):
     """Weight, balance, tones and nodes of an implement that is no heavier than the ball."""
 
-    bat: MassProperties
     modes: tuple[VibrationMode, ...]
     sweet_spots: QuietPlaces
     outcome: str = "the ball is no lighter than what would hit it"
@@ -48,7 +47,7 @@ def unhit_answer(reduced: ReducedBat[Implement], conditions: Conditions) -> Unhi
         "center_of_percussion": centre_of_percussion(reduced.body, pivot=conditions.hands.position),
     }
     return UnhitAnswer(
-        bat=mass_properties(implement, reduced.body),
+        **vars(described(reduced.beam, reduced.body)),
         modes=vibration_modes(reduced.modes),
         sweet_spots=QuietPlaces(**{name: place for name, place in places.items() if place <= implement.length}),
         reduced=reduced,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from sweetspot.analysis.bat_analysis import Analysis
-from sweetspot.answers.conditions import MassProperties, mass_properties
+from sweetspot.answers.description import Description, described
 from sweetspot.answers.records import to_dict
 from sweetspot.answers.report import ReportAnswer
 from sweetspot.answers.unhit import UnhitAnswer
@@ -13,11 +13,11 @@ from sweetspot.catalog.sports import sport
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.reduction import ReducedBat
-from sweetspot.dynamics.rigid import RigidBody, moi_doubt, rigid_body
+from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.sport import Terms
 from sweetspot.motion.swing import Conditions
-from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import Interval
 from sweetspot.reports.bat.provenance import assumed_wall, known_misses
 from sweetspot.reports.bat.tables import (
@@ -51,7 +51,7 @@ def report_document(report: ReportAnswer) -> Document:
             _cards(report),
             *(Paragraph(words) for words in answer_words(report)),
             *(Paragraph(words) for words in remarks(bat)),
-            *known_misses(bat),
+            *known_misses(bat.sport),
             *assumed_wall(bat, report.greatest_efficiency, float(report.best_hit.bbcor)),
             overview,
             *([] if report.uncertainty is None else [how_sure(report.uncertainty, "best exit speed")]),
@@ -67,15 +67,16 @@ def report_document(report: ReportAnswer) -> Document:
 
 def described_document(bat: Implement) -> Document:
     """Return an implement without a swing as a document: its size, weight and balance."""
-    body = rigid_body(beam_model(bat))
-    mass = mass_properties(bat, body)
-    data = to_dict(mass)
+    beam = beam_model(bat)
+    description = described(beam, rigid_body(beam))
+    data = to_dict(description.bat)
+    words = words_of(bat.sport)
     return Document(
         name="bat",
         title=bat.name,
         subtitle=made_of_words(bat),
-        kind=f"{sport(bat.sport).name}: {words_of(bat.sport).implement}",
-        blocks=[*_mass(bat, body, mass), *(Paragraph(words) for words in remarks(bat))],
+        kind=f"{sport(bat.sport).name}: {words.implement}",
+        blocks=[*_mass(description, words), *(Paragraph(words) for words in remarks(bat))],
         data=data,
         rows=one_row(data),
         reader=reader_of(bat.sport),
@@ -164,7 +165,7 @@ def _details(report: ReportAnswer) -> list[Block]:
     return [
         Section("sweet-spots", "Every sweet spot", [spots_table(report)]),
         Section("along", f"Along the {words.implement}", [along_table(report), *_touched_again(analysis)]),
-        Section("mass", "Weight and balance", _mass(analysis.bat, analysis.body, report.bat, note=True)),
+        Section("mass", "Weight and balance", _mass(report, words, note=True)),
         Section("modes", "How it rings", [modes_table(report.modes, words, analysis.bat.length)]),
         Section("best-hit", where, [table, hit_picture(analysis.best, words, caption)]),
         Section("conditions", "Conditions", [conditions_table(report)]),
@@ -180,10 +181,10 @@ def _touched_again(analysis: Analysis[Implement]) -> list[Block]:
     return [Paragraph(doubt, "note") for doubt in doubts]
 
 
-def _mass(bat: Implement, body: RigidBody, mass: MassProperties, *, note: bool = False) -> list[Block]:
+def _mass(description: Description, words: Terms, *, note: bool = False) -> list[Block]:
     """Return the table of weight and balance, with a note on ± if ``note`` or if the moment of inertia has a doubt."""
-    doubted = note or moi_doubt(bat, body, STANDARD_AXIS) > 0
-    return [mass_table(bat, body, mass), *([Paragraph(PLUS_MINUS, "note")] if doubted else [])]
+    doubted = note or float(description.bat.moi_6in_doubt) > 0
+    return [mass_table(description, words), *([Paragraph(PLUS_MINUS, "note")] if doubted else [])]
 
 
 def _appendix(report: ReportAnswer) -> list[Block]:
@@ -229,7 +230,7 @@ def unhit_document(answer: UnhitAnswer) -> Document:
         blocks=[Paragraph(_why(answer.reduced, answer.conditions))],
         details=[
             Section("sweet-spots", "What needs no ball", [places_table(places, words_of(bat.sport), bat.length)]),
-            Section("mass", "Weight and balance", [mass_table(bat, answer.reduced.body, answer.bat)]),
+            Section("mass", "Weight and balance", [mass_table(answer, words_of(bat.sport))]),
             Section("modes", "How it rings", [modes_table(answer.modes, words_of(bat.sport), bat.length)]),
         ],
         data=data,

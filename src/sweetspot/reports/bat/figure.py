@@ -10,8 +10,6 @@ from matplotlib.patches import Rectangle
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.answers.report import ReportAnswer
-from sweetspot.catalog.swing_laws import swing_weight
-from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.racket import Racket
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -98,12 +96,11 @@ def _header(page: Page, report: ReportAnswer, reading: Reader) -> None:
 def _swing_weight(report: ReportAnswer, reading: Reader) -> str:
     """Return the swing weight as the sport defines it."""
     bat = report.analysis.bat
-    if isinstance(bat, Bat):
+    if report.swing_weight is None:
         moi = moment(report.bat.moi_6in, float(report.bat.moi_6in_doubt)).read(reading)
         axis = reading.shown(STANDARD_AXIS, "place")
         return f"moment of inertia {moi} about {axis} from the {words_of(bat.sport).butt}"
-    convention = swing_weight(bat.sport)
-    return f"{convention.name} {convention.text_of(report.analysis.body)}".replace("^2", "²")
+    return f"{report.swing_weight.name} {report.swing_weight.text}".replace("^2", "²")
 
 
 def _guides(page: Page, analysis: Analysis[Implement], *, bat_top: float, top: float, bottom: float) -> None:

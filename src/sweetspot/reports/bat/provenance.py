@@ -198,14 +198,14 @@ def soft_defaults(sport_name: str, ball: Ball, conditions: Conditions | None = N
     return say("Assumed, not measured: {soft}.", soft=joined(soft, "; ")) if soft else Sentence(())
 
 
-def known_misses(implement: Implement, from_tip: float | None = None) -> list[Block]:
-    """List the places where an answer on an implement of the catalogue's kind is known to be wrong; nothing elsewhere.
+def known_misses(sport_name: str, from_tip: float | None = None) -> list[Block]:
+    """List the places where an answer on an implement of a sport is known to be wrong; nothing elsewhere.
 
     Parameters
     ----------
     from_tip : m, of the hit; None: the whole implement is asked for.
     """
-    misses = sport(implement.sport).misses
+    misses = sport(sport_name).misses
     return [
         Paragraph(f"Known to be off: {miss.text}", "warning")
         for miss in misses

@@ -9,21 +9,14 @@ import numpy as np
 
 from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.sweet_spot import ZONE_LOSS, ZONE_STING
-from sweetspot.answers.conditions import MassProperties
-from sweetspot.answers.handling import Handling, handling_of
-from sweetspot.answers.paddle_numbers import PaddleFace, paddle_face
+from sweetspot.answers.description import Description, Strings, SwingWeightText
+from sweetspot.answers.handling import Handling
+from sweetspot.answers.paddle_numbers import PaddleFace
 from sweetspot.answers.report import ReportAnswer, VibrationMode
-from sweetspot.catalog.swing_laws import swing_weight
-from sweetspot.dynamics.beam import beam_model
-from sweetspot.dynamics.clamped import CLAMP, PER_MINUTE, clamped_frequency
-from sweetspot.dynamics.hoop import SQUEEZED_AT, squeezing_force
+from sweetspot.dynamics.clamped import CLAMP, PER_MINUTE
+from sweetspot.dynamics.hoop import SQUEEZED_AT
 from sweetspot.dynamics.modes import Family
-from sweetspot.dynamics.rigid import RigidBody, moi_doubt
-from sweetspot.dynamics.swing_weight import SwingWeight
-from sweetspot.equipment.bat import Bat
-from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
-from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -136,37 +129,40 @@ def misses_table(report: ReportAnswer) -> Table:
     return Table("", columns, rows)
 
 
-def mass_table(bat: Implement, body: RigidBody, mass: MassProperties) -> Table:
+def mass_table(description: Description, words: Terms) -> Table:
     """Return weight, balance, how the sport weighs a swing, and moments of inertia."""
-    words = words_of(bat.sport)
-    standard = in_words("{axis:place, round} from the {butt}", words, axis=STANDARD_AXIS)
+    mass = description.bat
     axes = [
-        (standard, STANDARD_AXIS, mass.moi_6in),
-        (f"{words.butt} end", 0.0, mass.moi_knob),
-        ("balance point", body.balance_point, mass.moi_cm),
-    ]
-    moments = [
-        (say("moment of inertia, {axis}", axis=axis), moment(moi, moi_doubt(bat, body, place)))
-        for axis, place, moi in axes
+        (in_words("{axis:place, round} from the {butt}", words, axis=STANDARD_AXIS), mass.moi_6in, mass.moi_6in_doubt),
+        (f"{words.butt} end", mass.moi_knob, mass.moi_knob_doubt),
+        ("balance point", mass.moi_cm, mass.moi_cm_doubt),
     ]
     rows: list[tuple[Cell, Cell]] = [
         ("length", Slot(mass.length, "length")),
         ("mass", Slot(mass.mass, "mass", 2 if words.weighed_in == "oz" else 1)),
         (f"balance point, from the {words.butt}", Slot(mass.balance_point, "length")),
-        *([] if isinstance(bat, Bat) else [_swing_weight(bat, body, swing_weight(bat.sport))]),
-        *handling_rows(handling_of(bat, body)),
-        *string_rows(bat),
-        *paddle_rows(bat, body),
-        *shaft_rows(bat),
-        *barrel_rows(bat),
-        *moments,
+        *_swing_weight(description.swing_weight, words),
+        *_handling(description.handling),
+        *_strings(description.strings),
+        *_paddle(description.paddle),
+        *_clamped(description.clamped_frequency),
+        *_compression(description.barrel_compression),
+        *((say("moment of inertia, {axis}", axis=axis), moment(moi, float(doubt))) for axis, moi, doubt in axes),
         ("moment of inertia, about its own axis", Slot(mass.roll_moi, "moi", 1)),
     ]
     return values_table(rows)
 
 
-def handling_rows(handling: Handling | None) -> list[tuple[Cell, Cell]]:
-    """Return how a racket handles, in the units that its people use in any system; nothing for other implements."""
+def _swing_weight(written: SwingWeightText | None, words: Terms) -> list[tuple[Cell, Cell]]:
+    """Return how a sport weighs a swing; its number is written as its people write it, in any system of units."""
+    if written is None:
+        return []
+    name = in_words("{written.name}, about {written.axis:place} from the {butt}", words, written=written)
+    return [(name, written.text.replace("^2", "²"))]
+
+
+def _handling(handling: Handling | None) -> list[tuple[Cell, Cell]]:
+    """Return how a racket handles, in the units that its people use in any system."""
     if handling is None:
         return []
     return [
@@ -177,40 +173,37 @@ def handling_rows(handling: Handling | None) -> list[tuple[Cell, Cell]]:
     ]
 
 
-def shaft_rows(bat: Implement) -> list[tuple[Cell, Cell]]:
-    """Return the tone of a club whose grip is clamped, as clubmakers tell shafts; nothing for other implements."""
-    if not isinstance(bat, GolfClub):
+def _clamped(frequency: Number | None) -> list[tuple[Cell, Cell]]:
+    """Return the tone of a club whose grip is clamped, as clubmakers tell shafts."""
+    if frequency is None:
         return []
-    cycles = PER_MINUTE * clamped_frequency(beam_model(bat))
     where = say("tone of the shaft, clamped {clamp:place} from the butt", clamp=CLAMP)
-    return [(where, f"{cycles:.0f} cpm, {cycles / PER_MINUTE:.2f} Hz")]
+    return [(where, f"{PER_MINUTE * float(frequency):.0f} cpm, {float(frequency):.2f} Hz")]
 
 
-def barrel_rows(bat: Implement) -> list[tuple[Cell, Cell]]:
-    """Return the load for which leagues know a hollow barrel's compression; nothing for what has no wall."""
-    if not isinstance(bat, Bat) or bat.shell is None:
+def _compression(load: Number | None) -> list[tuple[Cell, Cell]]:
+    """Return the load for which leagues know a hollow barrel's compression."""
+    if load is None:
         return []
-    load = squeezing_force(beam_model(bat))
     where = say("barrel compression: load for 0.05 in, {place:place} from the tip", place=SQUEEZED_AT)
-    return [(where, f"{load / POUND_FORCE:.0f} lb, {load / 1e3:.2f} kN")]
+    return [(where, f"{float(load) / POUND_FORCE:.0f} lb, {float(load) / 1e3:.2f} kN")]
 
 
-def string_rows(bat: Implement) -> list[tuple[Cell, Cell]]:
-    """Return pattern, tension and stiffness of a racket's strings; nothing for other implements."""
-    if not isinstance(bat, Racket) or bat.face.stiffness is None:
+def _strings(strings: Strings | None) -> list[tuple[Cell, Cell]]:
+    """Return pattern, tension and stiffness of a racket's strings."""
+    if strings is None:
         return []
-    bed, stiffness = bat.bed, bat.face.stiffness
+    tension, stiffness = strings.tension, strings.stiffness
     in_pounds = stiffness * INCH / POUND_FORCE
     return [
-        ("strings, mains × crosses", f"{bed.mains} × {bed.crosses}"),
-        ("tension now", f"{bed.tension:.0f} N, {bed.tension / POUND_FORCE:.0f} lb"),
+        ("strings, mains × crosses", f"{strings.mains} × {strings.crosses}"),
+        ("tension now", f"{tension:.0f} N, {tension / POUND_FORCE:.0f} lb"),
         ("stiffness of the string bed in its middle", f"{stiffness / 1e3:.1f} kN/m, {in_pounds:.0f} lb/in"),
     ]
 
 
-def paddle_rows(bat: Implement, body: RigidBody) -> list[tuple[Cell, Cell]]:
-    """Return how stiff the face of a paddle is and how it sounds; nothing for other implements."""
-    face = paddle_face(bat, body)
+def _paddle(face: PaddleFace | None) -> list[tuple[Cell, Cell]]:
+    """Return how stiff the face of a paddle is and how it sounds."""
     if face is None:
         return []
     pounds = float(face.deflection_force) / POUND_FORCE
@@ -247,14 +240,6 @@ def moment(moi: Number, doubt: float) -> Sentence:
     doubt : standard deviation in kg m^2 where there is no interval.
     """
     return Sentence((Slot(moi, "moi"),)) if isinstance(moi, Interval) else with_doubt(moi, doubt, "moi")
-
-
-def _swing_weight(bat: Implement, body: RigidBody, convention: SwingWeight) -> tuple[Cell, Cell]:
-    """Return how a sport weighs a swing; its number is written as its people write it, in any system of units."""
-    name = in_words(
-        "{convention.name}, about {convention.axis:place} from the {butt}", words_of(bat.sport), convention=convention
-    )
-    return name, convention.text_of(body).replace("^2", "²")
 
 
 def modes_table(modes: Sequence[VibrationMode], words: Terms, length: float) -> Table:

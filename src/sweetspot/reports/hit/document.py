@@ -47,7 +47,7 @@ def hit_document(answer: HitAnswer) -> Document:
             *_aside(answer, words),
             *map(Paragraph, by_ball(answer.exit_speed_half_by_ball, answer.exit_speed_half_by_kind, words)),
             *_doubts(impact, words),
-            *known_misses(implement, implement.length - impact.position),
+            *known_misses(implement.sport, implement.length - impact.position),
             *assumed_wall(implement),
             *in_hands(answer.exit_speed, answer.exit_speed_in_hands, words),
             *_damage_blocks(answer.damage, words),
