@@ -341,7 +341,7 @@ def design(
     pick: int = 1,
     seed: int = 1,
     population: int = 48,
-    generations: int = 30,
+    generations: int = 8,
     resume: Path | None = None,
     contact: Amount | None = None,
     contact_spread: Amount | None = None,

@@ -229,3 +229,17 @@ def test_a_bad_cell_leaves_out_its_row_alone(tmp_path: Path) -> None:
     path.write_text("name,mass_g,bending_1_hz\na,880,170\nb,881,abc\n")
     with pytest.raises(InputError, match="'abc' is no number"):
         read_bats(path)
+
+
+def test_twenty_swings_are_twenty_times_one(tmp_path: Path) -> None:
+    """A stopwatch read to 0.1 s over twenty swings is sure to 5 ms a swing, and never surer than 2 ms without a ±."""
+    path = tmp_path / "bats.csv"
+    path.write_text("name,twenty_swings_s\na,29.1\nb,29.10\nc,29.10±0.02\nd,\n")
+    with pytest.warns(UnusualWarning, match="d is left out: line 5: nothing was measured"):
+        bats = read_bats(path)
+    assert [bat[0].kind for bat in bats.values()] == ["period"] * 3
+    assert [bat[0].value.value for bat in bats.values()] == pytest.approx([1.455] * 3)
+    assert [bat[0].value.error for bat in bats.values()] == pytest.approx([5e-3, 2e-3, 1e-3])
+    path.write_text("name,twenty_swings_s,pendulum_s\na,29.1,1.455\nb,29.1,1.455\n")
+    with pytest.raises(InputError, match="line 2: both one swing and twenty swings were timed"):
+        read_bats(path)

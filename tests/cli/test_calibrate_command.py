@@ -51,6 +51,33 @@ def test_the_whole_way(run: Run, run_json: Callable[..., Any], tmp_path: Path) -
     assert np.linalg.eigvalsh(covariance).min() > 0
 
 
+def test_a_row_of_a_table_is_what_its_options_would_be(run: Run, run_json: Callable[..., Any], tmp_path: Path) -> None:
+    """Without ± by the usual instruments' errors, as `rank` takes them: 1 g, 0.5 mm, 2 ms, 0.3 Hz."""
+    table = tmp_path / "measured.csv"
+    table.write_text("name,mass_g,balance_point_mm,twenty_swings_s,bending_1_hz\n"
+                     "No 1,878.84,560.11,29.09,171.512\nNo 2,,,,\nNo 3,890,562,29.4,\n")  # fmt: skip
+    row = run_json("calibrate", "r161-ash", "--measured", str(table), "--row", "No 1")
+    given = (
+        "--mass",
+        "878.84g",
+        "--balance-point",
+        "560.11mm",
+        "--pendulum",
+        "1.4545s",
+        "--tone",
+        "bending-1:171.512Hz",
+    )
+    for name, known in run_json("calibrate", "r161-ash", *given)["bat"].items():
+        assert row["bat"][name] == pytest.approx(known), name
+    errors = [next(row[key] for key in row if "_error_" in key) for row in row["measurements"]]
+    assert errors == pytest.approx([1e-3, 5e-4, 2e-3, 0.3])
+    assert "has 2 rows; say which: No 1, No 3" in run("calibrate", "r161-ash", "--measured", str(table))[2]
+    wrong = run("calibrate", "r161-ash", "--measured", str(table), "--row", "No 2")
+    assert (wrong[0], "no row 'No 2' with measurements; it has No 1, No 3" in wrong[2]) == (2, True)
+    twice = run("calibrate", "r161-ash", "--measured", str(table), "--row", "No 1", "--mass", "31oz")
+    assert (twice[0], "the mass is told twice" in twice[2]) == (2, True)
+
+
 def test_what_was_not_measured_has_no_budget_and_a_club_has_head_and_grip(run: Run) -> None:
     bat = " ".join(
         run("calibrate", "r161-ash", "--mass", "31.2oz±0.05oz", "--balance-point", "22.3in±0.05in")[1].split()
@@ -73,7 +100,10 @@ def test_a_swing_weight_as_its_sport_tells_it(run: Run, tmp_path: Path) -> None:
     for words, message in (
         (("golf-driver", "--swing-weight", "D2"), "give the mass too"),
         (("golf-driver", "--mass", "310g", "--swing-weight", "Z2"), "letter from A to G"),
-        (("golf-driver", "--mass", "310g", "--balance-point", "87cm", "--swing-weight", "D2"), "give one of them"),
+        (
+            ("golf-driver", "--mass", "310g", "--balance-point", "87cm", "--swing-weight", "D2"),
+            "balance point is told twice",
+        ),
         (("tennis-racket", "--swing-weight", "D2"), "unit is not known"),
     ):
         code, out, error = run("calibrate", *words)

@@ -21,7 +21,7 @@ from typing import cast
 
 import numpy as np
 
-from sweetspot.calibration.measured import SEPARATOR, Measured, parse_measured
+from sweetspot.calibration.measured import FLOORS, Measured, parse_measured
 from sweetspot.calibration.measurements import MeasuredKind, Measurement, of_swing_weight
 from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.catalog.files.bat import read_toml
@@ -87,27 +87,31 @@ PER_MINUTE = re.compile(r"(^|_)cpm(_|$)|cycles_(per_)?min")
 """In a heading."""
 BLANKS = (*EMPTY, "\N{EN DASH}", "\N{EM DASH}", "?")
 """Words of a cell in which nothing was measured."""
-HINT = "name, mass_oz, balance_point_in, pendulum_s, bending_1_hz, moisture_percent"
+HINT = "name, mass_oz, balance_point_in, pendulum_s or twenty_swings_s, bending_1_hz, moisture_percent"
 THOUSANDS = re.compile(r"\d,\d{3}(?!\d)")
 MOISTURE_UNKNOWN = 0.015
 """One sigma of the moisture of a bat that was kept with others but not measured (assumed)."""
-FLOORS: Mapping[str, float] = {"mass": 1e-3, "balance_point": 5e-4, "pendulum": 2e-3, "bending": 0.3, "hoop": 0.3}
-"""One sigma of a cell without its own ±, at least (assumed): kitchen scale in kg, edge in m, stopwatch over twenty
-swings in s, microphone in Hz. More digits, as a mean has, do not make an instrument better."""
 FEWEST_BATS = 2
 """That must be left, where others are left out for a cell that cannot be read."""
+TIMED = 20
+"""Full swings of a pendulum that people time: a stopwatch is then wrong by 2 ms a swing."""
 MOST_BATS = 200
 MOST_FAULTS = 8
 """Faults of a table that a message lists."""
 
 
 def read_bats(
-    path: Path, *, axis: float = STANDARD_AXIS, sport: str = "baseball", given: GivenColumns = NOTHING_GIVEN
+    path: Path,
+    *,
+    axis: float = STANDARD_AXIS,
+    sport: str = "baseball",
+    given: GivenColumns = NOTHING_GIVEN,
+    fewest: int = FEWEST_BATS,
 ) -> dict[str, list[Measurement]]:
     """Return the measurements of each bat of a CSV file, by name.
 
     ``axis``: m from the knob end, of its moments of inertia and pendulums. ``sport``: whose swing weight a column of
-    that name without a unit holds, as D2.
+    that name without a unit holds, as D2. ``fewest``: bats that must be left where others cannot be read.
     """
     text = read_text(path, most=MOST_TABLE_BYTES, advice=f"give a CSV file with the columns {HINT}")
 
@@ -135,9 +139,11 @@ def read_bats(
             continue
         swung = texts.pop("moi", None) if lettered else None
         bats[name] = {}
+        if {"pendulum", "twenty_swings"} <= texts.keys():
+            faults.append(f"line {line}: both one swing and twenty swings were timed; keep one of them")
         for quantity, cell in texts.items():
             try:
-                bats[name][quantity] = _value(cell, headings.columns[quantity], f"line {line}")
+                bats[name][_stored(quantity)] = _value(cell, headings.columns[quantity], f"line {line}")
             except InputError as error:
                 unread.setdefault(name, []).append(str(error))
         if swung is not None:
@@ -150,14 +156,34 @@ def read_bats(
             if bats[name].setdefault(measurement.kind, measurement.value) is not measurement.value:
                 faults.append(f"{what} tells the {measurement.name}, which was given too; give one of them")
         if not (swung or texts.keys() - {"moisture"}):
-            faults.append(f"line {line}: nothing was measured on {name}; its columns may be {HINT}")
-    if bats.keys() - unread.keys() and len(bats) - len(unread) >= FEWEST_BATS and not faults:
+            unread.setdefault(name, []).append(f"line {line}: nothing was measured; columns may be {HINT}")
+    if bats.keys() - unread.keys() and len(bats) - len(unread) >= fewest and not faults:
         bats = _without(bats, unread, path)
     else:
         faults += [fault for several in unread.values() for fault in several]
     refuse_faults(faults[:MOST_FAULTS] + ["…"] * (len(faults) > MOST_FAULTS), str(path))
     usual = _usual_moisture(bats, path)
     return {name: _measurements(values, usual, axis) for name, values in bats.items()}
+
+
+def read_bat(path: Path, model: Implement, *, name: str | None, axis: float) -> list[Measurement]:
+    """Return the measurements of one bat of a CSV file, which comes near a model.
+
+    ``name``: of its row; None: the table has one that is filled. ``axis``: as for `read_bats`.
+    """
+    bats = read_bats(path, axis=axis, sport=model.sport, fewest=1)
+    if name is None and len(bats) > 1:
+        raise InputError(f"{path} has {len(bats)} rows; say which: {', '.join(bats)}")
+    chosen = next(iter(bats)) if name is None else name
+    if chosen not in bats:
+        raise InputError(f"{path} has no row {chosen!r} with measurements; it has {', '.join(bats)}")
+    check_same_model({chosen: bats[chosen]}, model, axis=axis)
+    return bats[chosen]
+
+
+def _stored(quantity: str) -> str:
+    """Return the quantity that a column tells: that of twenty swings the time of one."""
+    return "pendulum" if quantity == "twenty_swings" else quantity
 
 
 def _without(
@@ -223,10 +249,11 @@ def _value(cell: str, column: TableColumn, what: str) -> Measured:
     if not any(letter.isdigit() for letter in cell):
         raise InputError(f"{what}, {name}: {cell!r} is no number; leave the cell blank where nothing was measured")
     written = with_unit(cell, column)
-    value = parse_measured(written, cast("Kind", column.kind), f"{what}, {name}")
-    if not SEPARATOR.search(cell):
-        value = Measured(value.value, max(value.error, FLOORS.get(name.rstrip("_0123456789"), 0.0)))
-    check(value.value, {"pendulum": "period"}.get(name, name), f"{written} ({what})")
+    of_one = TIMED if name == "twenty_swings" else 1
+    floor = FLOORS["tone"] if column.kind == "frequency" else FLOORS.get(_stored(name), 0.0)
+    value = parse_measured(written, cast("Kind", column.kind), f"{what}, {name}", floor=of_one * floor)
+    value = Measured(value.value / of_one, value.error / of_one)
+    check(value.value, {"pendulum": "period"}.get(_stored(name), name), f"{written} ({what})")
     if name == "moisture" and not MOISTURES[0] <= value.value <= MOISTURES[1]:
         low, high = (100 * share for share in MOISTURES)
         raise InputError(
@@ -312,26 +339,31 @@ def measured_of(path: Path, model: Implement) -> list[Measurement]:
     ]
 
 
+def expected_values(model: Implement, *, axis: float) -> dict[str, float]:
+    """Return what a table's columns would hold of a model as described, SI, of those that it can tell.
+
+    ``axis``: m from the butt end, of pendulum and moment of inertia.
+    """
+    beam = beam_model(model)
+    body, modes = rigid_body(beam), bending_modes(beam)
+    values = {"mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(axis)}
+    if body.balance_point > axis:
+        period = pendulum_period(body.moi(axis), mass=body.mass, balance_point=body.balance_point, pivot=axis)
+        values |= {"pendulum": period, "twenty_swings": TIMED * period}
+    bending = (float(modes.frequency[index]) for index in modes.of_family("bending"))
+    return values | {f"bending_{number}": frequency for number, frequency in enumerate(bending, start=1)}
+
+
 def check_same_model(
     bats: Mapping[str, Sequence[Measurement]], model: Implement, *, axis: float = STANDARD_AXIS
 ) -> None:
     """Refuse measurements that no bat of a model comes near: in another unit, or in another column."""
-    beam = beam_model(model)
-    body, modes = rigid_body(beam), bending_modes(beam)
-    of_model: dict[str, float] = {
-        "mass": body.mass,
-        "balance_point": body.balance_point,
-        "moi": body.moi(axis),
-        "period": pendulum_period(body.moi(axis), mass=body.mass, balance_point=body.balance_point, pivot=axis),
-    }
-    bending = [float(modes.frequency[index]) for index in modes.of_family("bending")]
+    modelled = expected_values(model, axis=axis)
     for name, measured in bats.items():
         for measurement in measured:
             mode = measurement.mode
-            expected = of_model.get(measurement.kind)
-            if mode is not None:
-                modelled = mode.family == "bending" and mode.harmonic <= len(bending)
-                expected = bending[mode.harmonic - 1] if modelled else None
+            column = {"period": "pendulum"}.get(measurement.kind, measurement.kind)
+            expected = modelled.get(column if mode is None else f"{mode.family}_{mode.harmonic}")
             if expected is None or insisted():
                 continue
             factor = measurement.value.value / expected

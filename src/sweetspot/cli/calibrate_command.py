@@ -26,7 +26,17 @@ if TYPE_CHECKING:
 class WeighedOptions:
     """What scale, balance and pendulum say."""
 
-    mass: Annotated[str | None, Parameter(help="Weight: 31.2oz, or 31.2oz±0.05oz; without ± the last digit.")] = None
+    measured: Annotated[
+        Path | None, Parameter(help="CSV with a row for this bat, as rank reads it and a kit's sheet saves it.")
+    ] = None
+    row: Annotated[str | None, Parameter(help="Name of its row in --measured, where there are several.")] = None
+    mass: Annotated[
+        str | None,
+        Parameter(
+            help="Weight: 31.2oz, or 31.2oz±0.05oz. Without ± the last digit counts, and no less than 1 g, 0.5 mm of "
+            "balance, 2 ms of a swing, 0.3 Hz."
+        ),
+    ] = None
     balance_point: Annotated[str | None, Parameter(help="From the knob end: 22.4in±0.1in.")] = None
     pendulum: Annotated[str | None, Parameter(help="Period of one full swing about --pivot: 1.572s±0.003s.")] = None
     moi: Annotated[str | None, Parameter(help="Moment of inertia about --pivot: 11200oz*in^2±50oz*in^2.")] = None
@@ -138,28 +148,36 @@ def calibrate(
 
 def _weighed(described: Implement, weighed: WeighedOptions) -> list[Measurement]:
     """Return the measurements by scale, balance and pendulum."""
-    from sweetspot.calibration.measured import parse_measured
+    from sweetspot.calibration.measured import FLOORS, parse_measured
     from sweetspot.calibration.measurements import Measurement, of_swing_weight
     from sweetspot.plausibility import parse_position
 
     pivot = weighed.pivot
     axis = described.swing_axis if pivot is None else parse_position(pivot, length=described.length, what="--pivot")
-    measurements = []
+    measurements: list[Measurement] = []
+    if weighed.row is not None and weighed.measured is None:
+        raise InputError("--row was given without --measured; name the table")
+    if weighed.measured is not None:
+        from sweetspot.calibration.bat_table import read_bat
+
+        measurements += read_bat(weighed.measured, described, name=weighed.row, axis=axis)
     if weighed.mass is not None:
-        measurements.append(Measurement("mass", parse_measured(weighed.mass, "mass", "--mass")))
+        measurements.append(Measurement("mass", parse_measured(weighed.mass, "mass", "--mass", floor=FLOORS["mass"])))
     if weighed.balance_point is not None:
-        place = parse_measured(weighed.balance_point, "length", "--balance-point")
+        text, floor = weighed.balance_point, FLOORS["balance_point"]
+        place = parse_measured(text, "length", "--balance-point", floor=floor)
         measurements.append(Measurement("balance_point", place))
     if weighed.pendulum is not None:
-        period = parse_measured(weighed.pendulum, "time", "period")
+        period = parse_measured(weighed.pendulum, "time", "period", floor=FLOORS["pendulum"])
         measurements.append(Measurement("period", period, axis=axis))
     if weighed.moi is not None:
         measurements.append(Measurement("moi", parse_measured(weighed.moi, "moi", "--moi"), axis=axis))
     if weighed.swing_weight is not None:
         mass = next((measurement.value for measurement in measurements if measurement.kind == "mass"), None)
         measurements.append(of_swing_weight(weighed.swing_weight, described.sport, mass=mass, what="--swing-weight"))
-    if len({measurement.name for measurement in measurements}) < len(measurements):
-        raise InputError(f"--swing-weight tells the {measurements[-1].name}, which was given too; give one of them")
+    names = [measurement.name for measurement in measurements]
+    if twice := next((name for name in names if names.count(name) > 1), None):
+        raise InputError(f"the {twice} is told twice, by --measured, --swing-weight or its own option; give it once")
     return measurements
 
 
@@ -210,7 +228,7 @@ def _shots(described: Implement, given: CalibrationShotOptions) -> tuple[list[Sh
 
 def _tone(text: str, described: Implement) -> Measurement:
     """Return the measurement that a text like ``bending-1:171.3Hz`` names."""
-    from sweetspot.calibration.measured import parse_measured
+    from sweetspot.calibration.measured import FLOORS, parse_measured
     from sweetspot.calibration.measurements import Measurement, of_clamped_tone
     from sweetspot.calibration.mode_naming import MOST_BENDING, ModeName
     from sweetspot.calibration.tap_analysis import tones_to_fit
@@ -222,7 +240,7 @@ def _tone(text: str, described: Implement) -> Measurement:
         return of_clamped_tone(value, described, what="--tone")
     if name.strip() not in names or not value:
         raise InputError(f"--tone was given as {text!r}; write {', '.join(names)} and a frequency: bending-1:171.3Hz")
-    frequency: Measured = parse_measured(value, "frequency", "--tone")
+    frequency: Measured = parse_measured(value, "frequency", "--tone", floor=FLOORS["tone"])
     if frequency.value <= 0:
         raise InputError(f"--tone was given as {text!r}; allowed is a frequency of more than 0 Hz")
     given = Measurement("frequency", frequency, mode=names[name.strip()])
