@@ -99,7 +99,7 @@ TUTORIAL_CODES = {"certify tested.toml --shots shots.csv": 1, "certify tested.to
 """Of lines of tutorials that end otherwise than with 0: the laboratory's bat breaks a rule."""
 
 
-@pytest.mark.parametrize("name", ["coach", "maker", "laboratory"])
+@pytest.mark.parametrize("name", ["coach", "maker", "laboratory", "measuring_day"])
 def test_a_tutorial_from_beginning_to_end(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -120,7 +120,7 @@ def test_a_tutorial_from_beginning_to_end(
             place = answer.index(words, place) + len(words)
 
 
-@pytest.mark.parametrize("name", ["coach", "maker", "laboratory"])
+@pytest.mark.parametrize("name", ["coach", "maker", "laboratory", "measuring_day"])
 def test_a_tutorial_shows_its_tables_as_they_are(name: str) -> None:
     text = (DOCS / "users" / f"{name}.md").read_text(encoding="utf-8")
     shown = re.findall(r"^```text\n(.*?)```", text, re.MULTILINE | re.DOTALL)

@@ -116,6 +116,7 @@ ASKED: list[tuple[str, Callable[[], Any]]] = [
         "match tennis-racket heavier.toml",
         lambda: door.match("tennis-racket", "heavier.toml"),
     ),
+    ("kit r161-ash --pieces 3", lambda: door.kit(R161, pieces=3)),
     ("rank bats.csv --like r161-ash --bat-speed 68mph", lambda: door.rank("bats.csv", like=R161, bat_speed="68mph")),
     (
         "calibrate r161-ash --mass 31.00oz±0.05oz --balance-point 22.05in±0.05in --tone bending-1:171.5Hz±0.4Hz",

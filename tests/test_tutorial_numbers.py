@@ -1,4 +1,4 @@
-"""The numbers that the tutorials of coach, maker and laboratory say in prose."""
+"""The numbers that the tutorials say in prose."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH, MPH
 from tests.documented import BLOCK, DOCS, TUTORIAL, TUTORIALS, arguments, tutorial
-from tools.tutorial_files import MET, SCATTER, off
+from tools.tutorial_files import CAGE, DAY_SEED, MET, SCATTER, in_the_cage, off
 
 NUMBER = re.compile(r"(?<![\w.])\d+(?:,\d{3})*(?:\.\d+)?")
 STEP = re.compile(r"^\*\*\d+\. ", re.MULTILINE)
@@ -30,10 +30,15 @@ def facts(name: str) -> set[str]:
     if name == "maker":  # turned from the same wood, which has the same spreads under any drawing
         truth = off(catalog.bat("mlb-c"), 5)
         return {AXIS, *(truth[one].lstrip("-").rstrip("%") for one in ("modulus", "shear_modulus", "density"))}
+    if name == "measuring_day":
+        model = catalog.bat(str(TUTORIALS / name / "designed.toml"))
+        truth = off(model, DAY_SEED + 4, by=0.7)
+        of_wood = (truth[one].lstrip("+").rstrip("%") for one in ("modulus", "shear_modulus", "density"))
+        return {*of_wood, f"{in_the_cage(model):.1f}", *(f"{size:g}" for size in CAGE.values())}
     return {off(catalog.bat("college-alloy"), 9, by=0.7)["wall"].lstrip("-").rstrip("%"), f"{COR_SPEED / MPH:.0f}"}
 
 
-@pytest.mark.parametrize("name", ["coach", "maker", "laboratory"])
+@pytest.mark.parametrize("name", ["coach", "maker", "laboratory", "measuring_day"])
 def test_every_number_is_a_printed_one_or_the_made_up_truth(name: str) -> None:
     """Command lines and answers are run and compared in test_docs.py."""
     found = TUTORIAL.search((DOCS / "users" / f"{name}.md").read_text(encoding="utf-8"))

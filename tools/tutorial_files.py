@@ -1,4 +1,4 @@
-"""Make the files of the tutorials for coach, maker and laboratory (`tests/tutorials`): made up, with the truth known.
+"""Make the files of the tutorials (`tests/tutorials`): made up, with the truth known.
 
 It prints the truth, and what scale, string and tap say where no file holds it.
 """
@@ -14,7 +14,8 @@ import numpy as np
 
 from sweetspot import catalog
 from sweetspot.analysis.position_scan import scan
-from sweetspot.calibration.measured import Measured
+from sweetspot.calibration.bat_table import TIMED
+from sweetspot.calibration.measured import FLOORS, Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.calibration.recording import LOUDNESS, Recording, recording_bytes, tap_sound
@@ -26,7 +27,7 @@ from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.reduction import ReducedBat, all_modes
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.bat import Bat
-from sweetspot.motion.swing import Conditions
+from sweetspot.motion.swing import Conditions, Pitch
 from sweetspot.numerics.arrays import Array
 from sweetspot.reports.calibration.document import as_part
 from sweetspot.units import INCH, MPH, OUNCE, OUNCE_INCH_SQUARED
@@ -164,6 +165,38 @@ def write_laboratory(folder: Path) -> None:
     (folder / "shots.csv").write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
 
 
+DAY = (
+    *(Measurement(kind, Measured(1, FLOORS[kind])) for kind in ("mass", "balance_point")),
+    Measurement("period", Measured(1, FLOORS["pendulum"])),
+    *(Measurement("frequency", Measured(1, FLOORS["tone"]), mode=ModeName("bending", number)) for number in (1, 2)),
+)
+"""What the sheet of a measuring day asks of a wooden bat."""
+DAY_SEED, CAGE = 40, {"pitch": 60.0, "bat": 68.0, "from_tip": 7.0}
+"""Of the first made-up bat of the day; speeds in the cage in mph, and where the ball is met, in from the tip."""
+
+
+def write_measuring_day(folder: Path) -> None:
+    """Write the filled sheet of six bats that were turned from one design, and print the truth of the fourth."""
+    bat = catalog.bat(str(folder / "designed.toml"))
+    rows = ["name,mass_oz,balance_point_in,twenty_swings_s,bending_1_hz,bending_2_hz,moisture_percent"]
+    for number in range(1, 7):
+        mass, balance, period, *tones = measured(differing(bat, DAY_SEED + number, by=0.7), DAY, 100 + number)
+        heard = ",".join(f"{tone:.1f}" for tone in tones)
+        rows.append(f"No {number},{mass / OUNCE:.2f},{balance / INCH:.2f},{TIMED * period:.2f},{heard},")
+    (folder / "measured.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
+    print("No 4, off: ", off(bat, DAY_SEED + 4, by=0.7), f"leaves at {in_the_cage(bat):.1f} mph")
+
+
+def in_the_cage(bat: Bat) -> float:
+    """Return the exit speed in mph of the fourth bat of the day, as it truly is."""
+    usual = standard_conditions(bat)
+    swing = usual.swing.replaced(bat_speed=CAGE["bat"] * MPH)
+    conditions = usual.replaced(swing=swing, pitch=Pitch(speed=CAGE["pitch"] * MPH))
+    place = np.array([bat.length - CAGE["from_tip"] * INCH])
+    beam = differing(bat, DAY_SEED + 4, by=0.7)
+    return float(scan(ReducedBat.of_beam(beam, conditions.ball), conditions, place).exit_speed[0] / MPH)
+
+
 def off(bat: Bat, seed: int, *, by: float = 1.0) -> dict[str, str]:
     """Return by how much each property of a bat made by `differing` is off its description."""
     unknowns = unknowns_of(bat)
@@ -177,7 +210,13 @@ def off(bat: Bat, seed: int, *, by: float = 1.0) -> dict[str, str]:
 
 def main() -> None:
     """Write all."""
-    for name, write in (("coach", write_coach), ("maker", write_maker), ("laboratory", write_laboratory)):
+    folders = {
+        "coach": write_coach,
+        "maker": write_maker,
+        "laboratory": write_laboratory,
+        "measuring_day": write_measuring_day,
+    }
+    for name, write in folders.items():
         (FOLDER / name).mkdir(parents=True, exist_ok=True)
         write(FOLDER / name)
 

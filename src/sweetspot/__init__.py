@@ -21,7 +21,7 @@ Questions, with the same answers as the commands of these names; ``uncertainty=T
 - from the pitch to the fence: `play`; a ball in the air: `fly`,
   `fly_table`; the best swing and launch: `optimum`;
 - the laboratory: `drop`, `pendulum`; the implemented paper: `paper`;
-- what was measured: `season`, `fit_player`, `rank`, `calibrate`, `tap`, `outline`.
+- what was measured: `season`, `fit_player`, `rank`, `calibrate`, `tap`, `outline`; what to measure: `kit`.
 
 Every answer has ``to_dict(units="us")`` and ``to_frame()``, and notebooks show it as a report.
 
@@ -52,7 +52,7 @@ _HOMES: Mapping[str, str] = {
     "analysis.bat_analysis": "Analysis analyse",
     "analysis.full_play": "plays",
     "answers.ask_bat": "certify certify_club certify_paddle compare hit match paper report what_if",
-    "answers.ask_bench": "calibrate outline rank tap",
+    "answers.ask_bench": "calibrate kit outline rank tap",
     "answers.ask_design": "design",
     "answers.ask_flight": "fly fly_table optimum play",
     "answers.ask_measured": "drop fit_player pendulum plan_swings season",
@@ -70,6 +70,7 @@ _HOMES: Mapping[str, str] = {
     "answers.rank": "RankAnswer",
     "answers.season": "SeasonAnswer",
     "answers.tap": "TapAnswer",
+    "answers.kit": "KitAnswer",
     "answers.match": "MatchAnswer",
     "answers.optimum": "OptimumAnswer",
     "answers.paper": "PaperAnswer",

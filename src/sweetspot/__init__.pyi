@@ -21,6 +21,7 @@ from .answers.design import DesignAnswer as DesignAnswer
 from .answers.drop import DropAnswer as DropAnswer
 from .answers.fly import FlyAnswer as FlyAnswer
 from .answers.hit import HitAnswer as HitAnswer
+from .answers.kit import KitAnswer as KitAnswer
 from .answers.match import MatchAnswer as MatchAnswer
 from .answers.optimum import OptimumAnswer as OptimumAnswer
 from .answers.outline import OutlineAnswer as OutlineAnswer
@@ -104,6 +105,7 @@ __all__ = [
     "Impact",
     "Implement",
     "InputError",
+    "KitAnswer",
     "MatchAnswer",
     "Material",
     "Measured",
@@ -153,6 +155,7 @@ __all__ = [
     "hits",
     "hoop_modes",
     "implement",
+    "kit",
     "match",
     "optimum",
     "outline",
@@ -491,6 +494,11 @@ def hoop_modes(
 def implement(
     name: str | Path,
 ) -> Implement: ...
+def kit(
+    implement: Tool,
+    *,
+    pieces: int = 12,
+) -> KitAnswer: ...
 def match(
     implement: Tool,
     target: Tool,

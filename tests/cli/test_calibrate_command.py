@@ -75,7 +75,7 @@ def test_a_row_of_a_table_is_what_its_options_would_be(run: Run, run_json: Calla
     wrong = run("calibrate", "r161-ash", "--measured", str(table), "--row", "No 2")
     assert (wrong[0], "no row 'No 2' with measurements; it has No 1, No 3" in wrong[2]) == (2, True)
     twice = run("calibrate", "r161-ash", "--measured", str(table), "--row", "No 1", "--mass", "31oz")
-    assert (twice[0], "the mass is told twice" in twice[2]) == (2, True)
+    assert (twice[0], "the mass was given twice" in twice[2]) == (2, True)
 
 
 def test_what_was_not_measured_has_no_budget_and_a_club_has_head_and_grip(run: Run) -> None:
@@ -102,7 +102,7 @@ def test_a_swing_weight_as_its_sport_tells_it(run: Run, tmp_path: Path) -> None:
         (("golf-driver", "--mass", "310g", "--swing-weight", "Z2"), "letter from A to G"),
         (
             ("golf-driver", "--mass", "310g", "--balance-point", "87cm", "--swing-weight", "D2"),
-            "balance point is told twice",
+            "balance point was given twice",
         ),
         (("tennis-racket", "--swing-weight", "D2"), "unit is not known"),
     ):

@@ -50,6 +50,7 @@ COMMANDS: dict[str, tuple[str, ...]] = {
     "fit-player": ("fit-player", "SWINGS", "--bat", "r161-ash", "--out", "OUT"),
     "fly": ("fly", "--exit-speed", "100mph", "--out", "OUT"),
     "hit": ("hit", "r161-ash", "--at", "6in-from-tip", "--out", "OUT"),
+    "kit": ("kit", "r161-ash", "--out", "OUT"),
     "match": ("match", "tennis-racket", "tennis-racket", "--out", "OUT"),
     "materials": ("materials", "--out", "OUT"),
     "optimum": ("optimum", "--out", "OUT"),

@@ -57,6 +57,8 @@ def commands() -> tuple[str, ...]:
         "parks coors",
         "bats",
         "pendulum --mass 30.5oz --balance-point 22.4in --period 1.38s",
+        "kit r161-ash",
+        "kit golf-driver --pieces 3",
         "plan-swings r161-ash mlb-a",
         "plan-swings r161-ash --find position --within 0.4in",
         "validate",

@@ -18,6 +18,7 @@ from sweetspot.numerics.constants import STANDARD_AXIS
 
 if TYPE_CHECKING:
     from sweetspot.answers.calibrate import CalibrateAnswer
+    from sweetspot.answers.kit import KitAnswer
     from sweetspot.answers.outline import OutlineAnswer
     from sweetspot.answers.rank import RankAnswer
     from sweetspot.answers.tap import TapAnswer
@@ -153,3 +154,25 @@ def calibrate(
         frequency = hertz if isinstance(hertz, Measured) else Measured(hertz, 1.0)
         measurements.append(Measurement("frequency", frequency, mode=modes[name]))
     return calibrate_answer(CalibrateQuestion(drawn, measurements))
+
+
+def kit(implement: Loaded, *, pieces: int = 12) -> KitAnswer:
+    """Prepare a measuring day: what is asked of every piece, and the empty table that `rank` and `calibrate` read.
+
+    Parameters
+    ----------
+    implement : what is measured, as described.
+    pieces : how many there are to measure.
+
+    Raises
+    ------
+    InputError
+        for too many pieces, or a kind that cannot be calibrated.
+
+    >>> import sweetspot
+    >>> [field.quantity for field in sweetspot.kit("tennis-racket").fields]
+    ['mass', 'balance_point', 'twenty_swings', 'bending_1']
+    """
+    from sweetspot.answers.kit import KitQuestion, kit_answer
+
+    return kit_answer(KitQuestion(implement.implement.as_drawn(), pieces))

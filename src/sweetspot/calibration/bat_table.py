@@ -340,7 +340,7 @@ def measured_of(path: Path, model: Implement) -> list[Measurement]:
 
 
 def expected_values(model: Implement, *, axis: float) -> dict[str, float]:
-    """Return what a table's columns would hold of a model as described, SI, of those that it can tell.
+    """Return the values that a table's columns would hold of a model as described, SI, of those that it can tell.
 
     ``axis``: m from the butt end, of pendulum and moment of inertia.
     """

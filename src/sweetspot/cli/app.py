@@ -34,6 +34,7 @@ COMMANDS: Mapping[str, tuple[str, ...]] = {
         "tap --synthesise r161-ash --at 1in-from-tip --out taps.wav",
         "tap taps.wav --bat r161-ash --at 1in-from-tip",
     ),
+    "kit": ("kit r161-ash --pieces 12 --out kit", "kit tennis-racket"),
     "calibrate": ("calibrate r161-ash --mass 31.00oz±0.05oz --tone bending-1:172Hz±0.5Hz --out mine.toml",),
     "calibrate-ball": ("calibrate-ball tennis --drop 254cm:135cm±1cm --temperature 10degC",),
     "rank": ("rank dozen.csv --like r161-ash",),
@@ -61,7 +62,7 @@ CATALOGUE: Mapping[str, tuple[str, ...]] = {
 EXAMPLES: Mapping[str, tuple[str, ...]] = {**COMMANDS, **CATALOGUE, **PAGE}
 GROUPS: Mapping[str, tuple[str, ...]] = {
     "Start here": ("report", "hit", "compare", "app", "bats", "materials", "sports"),
-    "My bat": ("new", "outline", "tap", "pendulum", "calibrate", "calibrate-ball", "rank", "match", "design"),
+    "My bat": ("new", "outline", "kit", "tap", "pendulum", "calibrate", "calibrate-ball", "rank", "match", "design"),
     "Players and seasons": ("fit-player", "plan-swings", "play", "fly", "optimum", "season", "parks"),
     "Rules": ("certify",),
     "Physics, and where it comes from": ("paper", "drop", "validate", "show", "schema", "prepare"),

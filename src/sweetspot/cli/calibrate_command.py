@@ -177,7 +177,7 @@ def _weighed(described: Implement, weighed: WeighedOptions) -> list[Measurement]
         measurements.append(of_swing_weight(weighed.swing_weight, described.sport, mass=mass, what="--swing-weight"))
     names = [measurement.name for measurement in measurements]
     if twice := next((name for name in names if names.count(name) > 1), None):
-        raise InputError(f"the {twice} is told twice, by --measured, --swing-weight or its own option; give it once")
+        raise InputError(f"the {twice} was given twice, by --measured, --swing-weight or its own option; give it once")
     return measurements
 
 

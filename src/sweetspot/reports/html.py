@@ -48,6 +48,11 @@ def notebook_cell(document: parts.Document, reader: Reader) -> str:
     return _rendered("notebook.html.j2", document, reader, style="notebook.css", colours={})
 
 
+def page_of(template: str, **parts: Any) -> str:
+    """Return a page that is no document, from its template and what is filled in."""
+    return _environment().get_template(template).render(**parts)
+
+
 def _rendered(
     template: str, document: parts.Document, reader: Reader, *, style: str = "page.css",
     colours: dict[str, str] | None = None, drawing: bytes | None = None, printed: bool = False, **more: Any,

@@ -117,6 +117,7 @@ MAKERS: Mapping[str, str] = {
     "CertifyClubAnswer": "sweetspot.reports.certification.club_document:certify_club_document",
     "CertifyPaddleAnswer": "sweetspot.reports.certification.paddle_document:certify_paddle_document",
     "CertifyAnswer": "sweetspot.reports.certification.document:certificate_document",
+    "KitAnswer": "sweetspot.reports.kit:kit_document",
     "MatchAnswer": "sweetspot.reports.matching:match_document",
     "CompareAnswer": "sweetspot.reports.comparison.document:compare_document",
     "MaterialAnswer": "sweetspot.reports.materials:material_document",
