@@ -29,6 +29,9 @@ from sweetspot.reports.player.words import PARAMETERS, answers, findings, notes,
 from sweetspot.reports.quantities import US
 from sweetspot.reports.sentences import Sentence, Slot, Words, read, say
 
+LEAD = 2
+"""Paragraphs that decide; what stands behind them opens on demand."""
+
 
 def player_document(answer: FitPlayerAnswer, *, player: str = "", day: str = "") -> Document:
     """Return the training report as a document."""
@@ -38,7 +41,8 @@ def player_document(answer: FitPlayerAnswer, *, player: str = "", day: str = "")
         "player",
         drawn("sweetspot.reports.player.picture:player_figure", advice, player=player, day=day),
         label=say(
-            "Expected {goal} against the contact point, and what changes of player and bat are worth.",
+            "Contacts on the barrel, bat speed against exit speed, what changes of player and bat are worth in {goal}, "
+            "and the swing from the side and from behind.",
             goal=goal_words(advice.goal),
         ),
         caption="Lines are 90 % intervals over what the swings allow.",
@@ -51,12 +55,13 @@ def player_document(answer: FitPlayerAnswer, *, player: str = "", day: str = "")
         subtitle=say("for {goal}, {pitch}", goal=goal_words(advice.goal), pitch=pitch_words(advice.pitch_speed)),
         blocks=[
             _cards(advice),
-            *map(Paragraph, found),
-            training_section(advice),
-            Section("answers", "Questions and answers", [Question(*pair) for pair in asked]),
+            *map(Paragraph, found[:LEAD]),
             picture,
+            training_section(advice),
         ],
         details=[
+            Section("swings", "What the swings say", [*map(Paragraph, found[LEAD:])]),
+            Section("answers", "Questions and answers", [Question(*pair) for pair in asked]),
             *([Section("pairs", "The bats swung, each against each", [pairs_table(advice)])] if advice.pairs else []),
             Section("bats", "Bats tried, the best first", [_bats(advice)]),
             Section("numbers", "The player in numbers", [_facts(advice.posterior.learned)]),

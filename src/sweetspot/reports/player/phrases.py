@@ -72,8 +72,8 @@ def changes() -> dict[str, Sentence]:
         "offset_spread": say("{quarter} less scatter over and under", quarter=quarter),
         "towards_tip": say("contact {inch} nearer the tip", inch=inch),
         "towards_hands": say("contact {inch} nearer the hands", inch=inch),
-        "higher": say("ball met {quarter} higher over the bat's axis", quarter=quarter),
-        "lower": say("ball met {quarter} lower over the bat's axis", quarter=quarter),
+        "higher": say("contact {quarter} higher", quarter=quarter),
+        "lower": say("contact {quarter} lower", quarter=quarter),
         "attack_angle": say("{angle} more upward swing", angle=Slot(ATTACK_CHANGE, "angle")),
         "flatter": say("{angle} flatter swing", angle=Slot(ATTACK_CHANGE, "angle")),
     }
