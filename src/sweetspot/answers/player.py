@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from contextlib import nullcontext
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Annotated
 
 from sweetspot.answers.answer import Answer, Progress, frame_of
@@ -31,6 +31,7 @@ from sweetspot.answers.records import (
     NESTED,
     OF_RECORD,
     PLAIN_ENDS,
+    Angle,
     Distance,
     Length,
     Mass,
@@ -61,6 +62,16 @@ class GoalAsked:
 
 
 @dataclass(frozen=True)
+class SensorErrors:
+    """Errors of a bat sensor as standard deviations; see `sweetspot.player.sensor.Sensor`."""
+
+    name: str
+    speed_bias: float
+    speed_noise: Speed
+    angle_noise: Angle
+
+
+@dataclass(frozen=True)
 class SwingsUsed:
     """The swings that a fit rests on.
 
@@ -72,6 +83,7 @@ class SwingsUsed:
     first_day, last_day : of the dated rows, year-month-day.
     notes : what is missing, constant or few.
     bats : names, the player's own first.
+    sensor : errors of the bat sensor; None: none are known of its own.
     """
 
     used: int
@@ -83,6 +95,7 @@ class SwingsUsed:
     last_day: str | None
     notes: tuple[str, ...]
     bats: tuple[str, ...]
+    sensor: SensorErrors | None
 
 
 @dataclass(frozen=True)
@@ -320,6 +333,7 @@ def player_answer(swings: PlayerSwings, advice: Advice) -> FitPlayerAnswer:
             last_day=None if file.last_day is None else str(file.last_day),
             notes=file.notes,
             bats=tuple(table.bat.name for table in model.bats),
+            sensor=None if model.sensor is None else SensorErrors(**asdict(model.sensor)),
         ),
         pitch_speed=advice.pitch_speed,
         bat_speed_from_tip=model.speed_from_tip,

@@ -19,6 +19,7 @@ from sweetspot.player.goal import Goal
 from sweetspot.player.model import PlayerModel, bats_of, player_model
 from sweetspot.player.player_swing import check_enough
 from sweetspot.player.posterior import PlayerPosterior, fit_player
+from sweetspot.player.sensor import sensor_of
 from sweetspot.player.swing_table import one_name
 from sweetspot.player.swings import MOST_SWINGS, SwingFile, evenly, read_swings
 from sweetspot.tables.headings import NOTHING_GIVEN, GivenColumns
@@ -110,6 +111,7 @@ class PlayerSwings:
             others=dict(self.others),
             law=catalog.swing_law(catalog.sport(bat.sport).swing_law),
             speed_from_tip=place(bat) if callable(place) else place,
+            sensor=sensor_of(self.file.system),
         )
 
 

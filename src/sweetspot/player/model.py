@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from statistics import median
 
 import numpy as np
 
@@ -29,6 +30,7 @@ from sweetspot.player.off_centre import (
 )
 from sweetspot.player.player_swing import PlayerSwing
 from sweetspot.player.prior import ANYBODY, NAMES, Population, fixed, log_prior, natural, priors
+from sweetspot.player.sensor import Sensor
 from sweetspot.tables.cells import BadRow
 
 PLACES_TAKEN = 2
@@ -45,7 +47,8 @@ class PlayerModel:
 
     ``bats``: tables of every bat used, the player's own first: bat speed is that with it. ``bat_of``: which bat each
     swing was made with, an index into ``bats``. ``law``: of bat speed against moment of inertia. ``speed_from_tip``: m
-    from the tip where bat speed is measured. ``table``: what the compiled likelihood reads.
+    from the tip where bat speed is measured. ``table``: what the compiled likelihood reads. ``sensor``: that measured
+    the bat's motion; None: one without known errors of its own.
     """
 
     swings: tuple[PlayerSwing, ...]
@@ -55,6 +58,17 @@ class PlayerModel:
     law: SwingLaw
     speed_from_tip: float
     table: LikelihoodTable
+    sensor: Sensor | None = None
+
+    @property
+    def population(self) -> Population:
+        """Return the players that this one is taken for one of before any swing, as the sensor shows them."""
+        if self.sensor is None:
+            return ANYBODY
+        speeds = [swing.bat_speed for swing in self.swings if swing.bat_speed is not None]
+        pitches = [swing.pitch_speed for swing in self.swings if swing.pitch_speed is not None]
+        usual = priors()["bat_speed"].centre
+        return self.sensor.population(bat_speed=median(speeds or [usual]), pitch_speed=median(pitches or [0.0]))
 
     def bat_speeds(self, parameters: Array) -> Array:
         """Return the mean bat speed in m/s with every bat, shape (rows, bats).
@@ -134,12 +148,13 @@ def player_model(
     others: dict[str, Bat] | None = None,
     law: SwingLaw | None = None,
     speed_from_tip: float = SPEED_FROM_TIP,
+    sensor: Sensor | None = None,
 ) -> PlayerModel:
     """Return the model of a player's swings.
 
     ``bat``: the player's own; swings whose bat is not in ``others`` were made with it. ``law``: of bat speed against
     moment of inertia; None: the catalogue's for baseball. ``speed_from_tip``: m from the tip where bat speed is
-    measured.
+    measured. ``sensor``: whose errors are known; None: the usual ones hold.
     """
     if not swings:
         raise InputError("no swing was given; give at least one")
@@ -148,8 +163,8 @@ def player_model(
     tables = [response_of(swung_bat, ball=ball, axis=used.axis) for swung_bat in (bat, *named.values())]
     index = {name: number for number, name in enumerate(named, start=1)}
     bat_of = tuple(index.get(swing.bat, 0) for swing in swings)
-    table = _table(swings, tables, bat_of, speed_from_tip)
-    return PlayerModel(tuple(swings), tuple(tables), bat_of, ball, used, speed_from_tip, table)
+    table = _table(swings, tables, bat_of, speed_from_tip, sensor)
+    return PlayerModel(tuple(swings), tuple(tables), bat_of, ball, used, speed_from_tip, table, sensor)
 
 
 LONGEST_BAT_NAME = 100
@@ -206,7 +221,11 @@ def _is_slip(name: str) -> bool:
 
 
 def _table(
-    swings: Sequence[PlayerSwing], tables: Sequence[BatResponse], bat_of: Sequence[int], speed_from_tip: float
+    swings: Sequence[PlayerSwing],
+    tables: Sequence[BatResponse],
+    bat_of: Sequence[int],
+    speed_from_tip: float,
+    sensor: Sensor | None,
 ) -> LikelihoodTable:
     def column(name: str) -> Array:
         return np.array([NAN if getattr(swing, name) is None else getattr(swing, name) for swing in swings], float)
@@ -223,8 +242,15 @@ def _table(
     # a launch angle without the attack angle leaves an inch of offsets open, more than a few points can stand for
     measured = hit & ~np.isnan(launch) & ~np.isnan(attack)
     untold = hit & ~measured
+    angle_noise = 0.0 if sensor is None else sensor.angle_noise
     points = offset_points(
-        tables, bat, ratio=ratio, launch=np.where(measured, launch, NAN), attack=attack, places=place
+        tables,
+        bat,
+        ratio=ratio,
+        launch=np.where(measured, launch, NAN),
+        attack=attack,
+        places=place,
+        angle_noise=angle_noise,
     )
     retained, variance = untold_kept(tables, bat[untold], ratio=ratio[untold], attack=attack[untold], places=place)
     return LikelihoodTable(
@@ -252,9 +278,9 @@ def _table(
         offset_step=np.array([table.offset[1] - table.offset[0] for table in tables]),
         constants=np.array(
             [
-                fixed("bat_speed_noise"),
+                fixed("bat_speed_noise") if sensor is None else sensor.speed_noise,
                 fixed("position_noise"),
-                fixed("attack_angle_spread"),
+                np.hypot(fixed("attack_angle_spread"), angle_noise),
                 usual["attack_angle"].centre,
                 fixed("slow_part"),
                 fixed("slow_by"),

@@ -49,17 +49,25 @@ class OffsetPoints(NamedTuple):
 
 
 def offset_points(
-    tables: Sequence[BatResponse], bat: IntArray, *, ratio: Array, launch: Array, attack: Array, places: Array
+    tables: Sequence[BatResponse],
+    bat: IntArray,
+    *,
+    ratio: Array,
+    launch: Array,
+    attack: Array,
+    places: Array,
+    angle_noise: float = 0.0,
 ) -> OffsetPoints:
     """Return points and weights for sums over offsets given the launch angles of swings; zeros where none was measured.
 
     ``bat``: which table, shape (n,). ``ratio``: pitch over bat speed, shape (n,). ``launch``: rad, shape (n,); nan: not
     measured. ``attack``: rad, shape (n,), measured where the launch angle was. ``places``: m from the tip.
+    ``angle_noise``: rad, of an attack angle beyond what is usual.
     """
     shape = (len(ratio), POINTS, len(places))
     points = OffsetPoints(np.zeros(shape), np.zeros(shape), np.zeros(shape))
     for which, part in _together(bat, ~np.isnan(launch)):
-        found = _points(tables[which], ratio[part], launch[part], attack[part], places)
+        found = _points(tables[which], ratio[part], launch[part], attack[part], places, angle_noise)
         for whole, values in zip(points, found, strict=True):
             whole[part] = values
     return points
@@ -142,9 +150,11 @@ def deflection_noise(table: BatResponse, ratio: Array) -> Array:
     return np.hypot(unsteady, fixed("deflection_noise"))
 
 
-def _points(table: BatResponse, ratio: Array, launch: Array, attack: Array, places: Array) -> OffsetPoints:
+def _points(
+    table: BatResponse, ratio: Array, launch: Array, attack: Array, places: Array, angle_noise: float
+) -> OffsetPoints:
     retained, deflection = at_swings(table, ratio, _steeper(attack), places)
-    noise = deflection_noise(table, ratio)[:, None]
+    noise = np.hypot(deflection_noise(table, ratio), angle_noise)[:, None]
     away = launch[:, None, None] - (attack[:, None, None] + deflection)
     share = np.exp(-0.5 * (away / noise) ** 2) / (noise * np.sqrt(2 * np.pi))
     offset, share = gauss_points(np.broadcast_to(table.offset, share.shape), share, POINTS)

@@ -85,14 +85,15 @@ class PlayerPosterior:
 
 def fit_player(model: PlayerModel, *, seed: int = 1) -> PlayerPosterior:
     """Return weighted draws from the posterior of a player's parameters, see `importance_draws`."""
+    population = model.population
     weighted = importance_draws(
-        model.log_posterior,
+        lambda rows: model.log_posterior(rows, population),
         along=NAMES.index("position"),
         skewed=NAMES.index("position_spread"),
         size=len(NAMES),
         seed=seed,
     )
-    return _resampled(model, weighted, seed)
+    return replace(_resampled(model, weighted, seed), population=population)
 
 
 def refitted(posterior: PlayerPosterior, population: Population) -> PlayerPosterior:
@@ -103,8 +104,8 @@ def refitted(posterior: PlayerPosterior, population: Population) -> PlayerPoster
     model, earlier, seed = posterior.model, posterior.weighted, posterior.seed
     if earlier is None:
         return posterior
-    apart = (earlier.draws - population.mean) / population.spread
-    heights = earlier.heights + 0.5 * np.sum(earlier.draws**2 - apart**2, axis=1)  # -inf stays what is forbidden
+    before, apart = ((earlier.draws - players.mean) / players.spread for players in (posterior.population, population))
+    heights = earlier.heights + 0.5 * np.sum(before**2 - apart**2, axis=1)  # -inf stays what is forbidden
     weighted = drawn_further(earlier, heights, lambda rows: model.log_posterior(rows, population), seed=seed)
     return replace(_resampled(model, weighted, seed), population=population)
 
@@ -177,18 +178,20 @@ def population_of(fits: Sequence[PlayerPosterior]) -> Population | None:
 
     The spread holds what is not known of the league's mean as well.
     """
-    weighted = [fit.weighted for fit in fits if fit.weighted is not None]
+    weighted = [(fit.weighted, fit.population) for fit in fits if fit.weighted is not None]
     if len(weighted) < FEWEST_PLAYERS:
         return None
     return likeliest_population(evidence_of(weighted))
 
 
-def evidence_of(weighted: Sequence[Weighted]) -> SwingEvidence:
-    """Return the evidence of players' swings: their posteriors less the prior."""
-    prior = prior_draws(20_000, seed=0)
-    before = np.linalg.inv(np.cov(prior.T))
+def evidence_of(weighted: Sequence[tuple[Weighted, Population]]) -> SwingEvidence:
+    """Return the evidence of players' swings: their posteriors less their priors."""
+    usual = prior_draws(20_000, seed=0)
+    usual_before = np.linalg.inv(np.cov(usual.T))
     precisions, pulls = [], []
-    for fit in weighted:
+    for fit, population in weighted:
+        before = usual_before / np.outer(population.spread, population.spread)
+        prior = population.mean + population.spread * usual
         mean = fit.weights @ fit.draws
         apart = fit.draws - mean
         after = np.linalg.inv((apart * fit.weights[:, None]).T @ apart)

@@ -70,7 +70,7 @@ def player_standing(posterior: PlayerPosterior) -> PlayerStanding:
     model, learned = posterior.model, posterior.learned
     standings, hardest = [], None
     if model.bats[0].bat.sport == SPORT and learned["bat_speed"].told:
-        speed = learned["bat_speed"].interval
+        speed = _with_bias(learned["bat_speed"].interval, model)
         standings.append(
             RankedQuantity("bat_speed", speed, _levels(major_league().bat_speed.level, speed), "league", "speed")
         )
@@ -81,6 +81,13 @@ def player_standing(posterior: PlayerPosterior) -> PlayerStanding:
             level = _levels(_usual_level(name), learned[name].interval)
             standings.append(RankedQuantity(name, learned[name].interval, level, "usual", PARAMETERS[name]))
     return PlayerStanding(tuple(standings), _off_path(model), hardest)
+
+
+def _with_bias(speed: Interval, model: PlayerModel) -> Interval:
+    """Return a bat speed with what the sensor may be off by on all swings in its interval."""
+    bias = 0.0 if model.sensor is None else REACH * model.sensor.speed_bias * speed.value
+    low, high = (float(np.hypot(end - speed.value, bias)) for end in (speed.low, speed.high))
+    return Interval(speed.value, speed.value - low, speed.value + high)
 
 
 def squared_up_share(model: PlayerModel) -> tuple[int, int]:

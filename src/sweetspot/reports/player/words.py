@@ -64,7 +64,7 @@ def findings(answer: FitPlayerAnswer) -> list[Words]:
     words: list[Words] = [*lead_paragraphs(answer.advice), _data(posterior, swings), *taken_for(posterior.model)]
     if side_by_side := measured(posterior):
         words.append(side_by_side)
-    words += [_speed(posterior), _contact(learned)]
+    words += [_speed(posterior), *_sensor(posterior.model), _contact(learned)]
     unknown = [PARAMETERS[name][0] for name, parameter in learned.items() if not parameter.told]
     if unknown:
         words.append(
@@ -169,6 +169,21 @@ def _speed(posterior: PlayerPosterior) -> Sentence:
     if len(measured_bats(posterior.model)) > 1:
         return text + unknown + "the bats are too much alike for it, or too few swings were made with each."
     return text + unknown + "they need two bats."
+
+
+def _sensor(model: PlayerModel) -> list[Words]:
+    """Return a warning of the errors of the sensor, where these are published."""
+    if model.sensor is None:
+        return []
+    return [
+        say(
+            "Bat speeds are as {sensor.name} reads them. Against motion capture its readings were off by "
+            "{sensor.speed_bias:share} on average, and single swings by {sensor.speed_noise:speed_change} more or "
+            "less; attack angles by {sensor.angle_noise:angle, 0}. So how lively ball and bat are is left more open. "
+            "Bats swung with the same sensor are off alike, and what they differ by stands.",
+            sensor=model.sensor,
+        )
+    ]
 
 
 def _slower(exponent: Interval) -> Sentence:
