@@ -23,7 +23,7 @@ from websockets.asyncio.client import connect
 
 from benchmarks.cases import QUICK, duration, measured
 from benchmarks.test_speed_of_start import command
-from sweetspot.web.files import FOLDER
+from sweetspot.web.bundle import LATER
 from tests import browsers
 
 Record = Callable[..., None]
@@ -216,7 +216,7 @@ def test_frames_of_the_film(benchmark: Any, record: Record, running: Running, dr
 def test_transfer_of_the_first_view(benchmark: Any, record: Record, running: Running, drawn: Any) -> None:
     """Every byte that the network carries, heads included, until all of the first view is there and drawn.
 
-    Modules that only other views need, fetched beside it so that going there takes no time, are told apart.
+    The modules of the other views, fetched after it so that going there takes no time, are told apart.
     """
     context = drawn[0].context.browser.new_context()
     page = context.new_page()
@@ -231,26 +231,16 @@ def test_transfer_of_the_first_view(benchmark: Any, record: Record, running: Run
     wire.on("Network.loadingFinished", lambda one: carried.append((asked[one["requestId"]], one["encodedDataLength"])))
     wire.on("Network.webSocketFrameReceived", frame)
     wire.send("Network.enable")
-    page.goto(f"{running.address}/explorer")
+    page.goto(running.address)
     page.evaluate(FIRST)
     page.wait_for_timeout(3000)  # lists and what comes apart
     context.close()
     measured(benchmark, lambda: None, 1)
-    own = _imported("shell/main.js") | _imported("views/explorer.js")
-    beside = sum(size for url, size in carried if url.endswith(".js") and url.partition("/static/")[2] not in own)
+    beside = sum(size for url, size in carried if url.endswith(LATER))
     whole = sum(size for _, size in carried)
     record("transfer of the first view", f"{(whole - beside) / 1000:.0f} kB", goal="120 kB",
            rival=f"the other views' modules: {beside / 1000:.0f} kB")  # fmt: skip
-
-
-def _imported(module: str) -> set[str]:
-    """Return a module of the page with every one that it needs, by their paths below /static/."""
-    path = FOLDER / module
-    if not path.exists():  # written by the server
-        return {module}
-    needed = re.findall(r'^(?:import|export) [^;]*?"(\.[^"]+)";$', path.read_text(encoding="utf-8"), re.MULTILINE)
-    paths = [(path.parent / one).resolve().relative_to(FOLDER).as_posix() for one in needed]
-    return {module}.union(*(_imported(one) for one in paths))
+    record("requests of the first view", str(len(asked) - 1), goal="12")
 
 
 def test_memory_of_the_server(benchmark: Any, record: Record, running: Running) -> None:

@@ -296,7 +296,7 @@ BUDGET = {
     "cli": 4_200, "collision": 4_000, "designs": 2_750, "dynamics": 5_350, "equipment": 3_950, "errors": 150,
     "flight": 3_500, "front_door": 450, "motion": 750, "numerics": 2_000, "papers": 850, "plausibility": 800,
     "player": 4_420, "references": 150, "reports": 16_500, "seasons": 7_130, "tables": 1_000, "uncertainty": 1_850,
-    "units": 800, "validation": 3_100, "web": 10_700,
+    "units": 800, "validation": 3_100, "web": 11_000,
 }  # fmt: skip
 """Lines of Python that each package may have: a little more than it has. Raised only in a commit that says why; a
 package that shrinks gives its lines back."""

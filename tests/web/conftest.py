@@ -212,7 +212,7 @@ def until() -> Callable[[Page, str], Any]:
 
 
 VIEW_OF = """async () => {{
-  const {{ default: View }} = await import("/static/views/{name}.js");
+  const {{ default: View }} = await (await import("/static/page.js")).$load("views/{name}.js");
   const {{ update }} = View.prototype, theme = document.querySelector("#theme");
   const view = await new Promise((found) => {{
     View.prototype.update = function (...answer) {{

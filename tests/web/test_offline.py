@@ -25,8 +25,8 @@ from sweetspot.reports.quantities import SYSTEMS, System, with_minus_signs
 from sweetspot.uncertainty.drawn_hits import draws_of, hits_along
 from sweetspot.uncertainty.sources import one_by_one, sources_of
 from sweetspot.units import INCH, MPH
+from sweetspot.web.bundle import BundleError, bundled
 from sweetspot.web.offline.bat_numbers import OfflineBat, PackedArray
-from sweetspot.web.offline.bundle import BundleError, bundled
 from sweetspot.web.offline.page import FileHead, offline_file
 from sweetspot.web.offline.translation import TranslationError, javascript_of
 from sweetspot.web.views import explorer, hit, sports
@@ -217,6 +217,7 @@ def test_a_file_is_small_whole_and_asks_for_nothing(name: str) -> None:
 def test_the_film_shows_the_hit_of_the_page(opened_file: Callable[..., Page]) -> None:
     page = opened_file("r161-ash")
     page.locator("#film summary").click()
+    page.wait_for_selector("#moment-words:not(:empty)")  # the fold tells that it is open a little later
     reached = hit.answer(hit.HitFilmState(bat="r161-ash", impact_from_tip_in=5.7)).top_hand.arrival
     assert reached is not None
     words = {}

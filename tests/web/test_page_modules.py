@@ -1,4 +1,7 @@
-"""The page's modules one by one, in the browser that runs them: numbers in, numbers out, nothing drawn."""
+"""The page's modules one by one, in the browser that runs them: numbers in, numbers out, nothing drawn.
+
+What needs no browser is tested by Node: `test_modules_in_node.py`.
+"""
 
 from __future__ import annotations
 
@@ -42,33 +45,10 @@ def test_units_are_those_of_the_package(run: Callable[[str], Any]) -> None:
         for system, reader in (("us", US), ("si", SI)):
             shown = run(f"m.units.text('{name}', {value}, '{system}')").replace("\N{MINUS SIGN}", "-")
             assert shown == reader.shown(value, scale)
-    assert run(
-        "m.units.fromShown('pitch_speed_mph', m.units.toShown('pitch_speed_mph', 87.5, 'si'), 'si')"
-    ) == pytest.approx(87.5)
-    assert run("m.units.text('exit_speed_m_s', null, 'us')") == "\N{EN DASH}"
     assert run("m.units.text('exit_speed_m_s', -0.001, 'us')") == "0.0 mph"
 
 
-def test_addresses_hold_a_state_and_give_it_back(run: Callable[[str], Any]) -> None:
-    back = """(await (async () => {
-      const first = { a: 1, name: "x", list: [], on: false };
-      const state = { a: 2.5, name: "å & ? #", list: [{ b: 1 }], on: true };
-      const types = { a: "number", name: "string", list: "array", on: "boolean" };
-      const schema = Object.fromEntries(Object.entries(types).map(([name, type]) => [name, { type }]));
-      const found = [];
-      for (const address of [m.address.addressOf("v", state, first), await m.address.shortAddressOf("v", state, first)])
-        found.push(await m.address.stateIn(address.slice(address.indexOf("?")), schema, first));
-      return [state, ...found];
-    })())"""
-    state, long, short = run(back)
-    assert long == state
-    assert short == state
-    assert run("m.address.addressOf('v', { a: 1 }, { a: 1 })") == "/v"
-    assert run("m.address.stateIn('?s=cut-off&b=2&other=3', { a: {}, b: {} }, { a: 1, b: 1 })") == {"a": 1, "b": 2}
-
-
 def test_what_charts_are_made_of(run: Callable[[str], Any]) -> None:
-    assert run("m.surface.ticks(0, 1, 5)") == pytest.approx([0, 0.2, 0.4, 0.6, 0.8, 1])
     assert run("m.chartpaint.between([0, 1, 3], [0, 10, 30], 2)") == pytest.approx(20)
     assert run("m.chartpaint.between([0, 1], [0, null], 0.5)") is None
     low, high = run("m.chartpaint.limits({ xs: [[0, 1, 2]], shown: [[5, 7, 100]], range: [0, 1] }, {})")
@@ -171,10 +151,6 @@ def test_words_numbers_and_files_that_the_page_makes(run: Callable[[str], Any]) 
     assert "no HTMLElement at .it" in run(
         "(() => { try { m.parts.partOf(document, '.it', HTMLElement); } catch (error) { return error.message; } })()"
     )
-    assert run("m.address.stateIn('?pendulum_ms=1e999&weighed_oz=31', { pendulum_ms: {}, weighed_oz: {} }, {})") == {
-        "pendulum_ms": "1e999",
-        "weighed_oz": 31,
-    }
     sound = run("""(async () => {
       const file = m.listening.wavOf([Float32Array.of(0, 0.5), Float32Array.of(-1)], 8000);
       const heard = await new OfflineAudioContext(1, 3, 8000).decodeAudioData(file);

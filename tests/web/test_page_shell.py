@@ -15,6 +15,7 @@ from playwright.sync_api import Page, expect
 
 from sweetspot import catalog
 from sweetspot.catalog.files.write import bat_toml
+from sweetspot.web.bundle import LATER
 from sweetspot.web.run_server import listening, server_for
 from sweetspot.web.views import GROUPS
 from tests.web.parts import Answered, Until, Wait, visit
@@ -181,22 +182,37 @@ def test_a_view_opened_without_a_server_says_so_and_comes_with_it(
         settled(page)
 
 
-@pytest.mark.parametrize("files", ["design.js", "design_front.js"])
-def test_a_view_whose_files_did_not_come_comes_once_they_can(
-    page: Page, server: str, answered: Answered, settled: Wait, files: str
+def test_a_view_whose_file_did_not_come_comes_once_it_can(
+    page: Page, server: str, answered: Answered, settled: Wait
 ) -> None:
-    """The line to the server stays open all the while, so nothing but another try can bring them."""
-    page.route(f"**/static/views/{files}*", lambda route: route.abort("connectionrefused"))
-    page.goto(f"{server}/explorer")
+    """The line to the server stays open all the while, so nothing but another try can bring it."""
+    page.route(f"**/static/{LATER}*", lambda route: route.abort("connectionrefused"))
+    page.goto(server)
     answered(page)
     page.locator("#groups a", has_text="Which bat").click()
-    page.locator("#views a[data-name=design]").click()
-    expect(page.locator("#view .absent")).to_contain_text("Design needs the server")
-    page.unroute(f"**/static/views/{files}*")
-    expect(page.locator("#view[data-view=design] canvas").first).to_be_visible()
+    expect(page.locator("#view .absent")).to_contain_text("Compare needs the server")
+    page.locator("#groups a", has_text="The ball").click()
+    expect(page.locator("#view .absent")).to_contain_text("Flight needs the server")
+    page.unroute(f"**/static/{LATER}*")
+    expect(page.locator("#view[data-view=flight] canvas").first).to_be_visible()
     expect(page.locator("#view .absent")).to_have_count(0)
     expect(page.locator("#status")).to_be_hidden()
     settled(page)
+
+
+def test_the_first_picture_takes_few_requests_and_few_bytes(page: Page, server: str, settled: Wait) -> None:
+    """At most twelve, and 120 kB; and nothing comes from anywhere else."""
+    wire = page.context.new_cdp_session(page)
+    asked: dict[str, str] = {}
+    carried: dict[str, float] = {}
+    wire.on("Network.requestWillBeSent", lambda one: asked.update({one["requestId"]: one["request"]["url"]}))
+    wire.on("Network.loadingFinished", lambda one: carried.update({asked[one["requestId"]]: one["encodedDataLength"]}))
+    wire.send("Network.enable")
+    page.goto(server)
+    settled(page)
+    assert all(address.startswith(server) for address in asked.values())
+    assert 3 < len(asked) <= 12
+    assert sum(size for address, size in carried.items() if not address.endswith(LATER)) < 120e3
 
 
 def test_a_slider_of_a_place_from_the_tip_goes_as_the_picture_does(page: Page, server: str, answered: Answered) -> None:

@@ -21,7 +21,7 @@ from sweetspot.web.answers import AnswerPool, TooSlowError, answer_json
 from sweetspot.web.bring import bring_routes
 from sweetspot.web.catalogue import catalogue_routes
 from sweetspot.web.errors import Fault, FullDiskError, Refusal, fault
-from sweetspot.web.files import File, shell, static_files
+from sweetspot.web.files import File, shells, static_files
 from sweetspot.web.jobs import Jobs, LongWork, job_routes
 from sweetspot.web.limits import EMBEDDED_POLICY, Guard
 from sweetspot.web.recipes import BALL_FILE
@@ -169,7 +169,7 @@ def _job_routes(api: APIRouter, view: View, jobs: Jobs) -> None:
 
 def _page_routes(app: FastAPI) -> None:
     files = static_files()
-    pages = {**dict.fromkeys(("", *VIEWS), shell(files["index.html"])), "docs": files["docs.html"]}
+    pages = {**shells(files["index.html"]), "docs": files["docs.html"]}
 
     def hand_out(path: str, find: Callable[[str], File | None], cache_control: str = ASKED_AGAIN) -> None:
         @app.api_route(path, methods=["GET", "HEAD"], include_in_schema=False)

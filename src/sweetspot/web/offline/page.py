@@ -24,10 +24,10 @@ from sweetspot.reports.quantity_table import quantity_data
 from sweetspot.reports.sentences import Sentence, Slot
 from sweetspot.reports.sport_words import in_words, words_of
 from sweetspot.units import INCH, MPH
+from sweetspot.web.bundle import bundled
 from sweetspot.web.documents import in_both_systems
 from sweetspot.web.drawings import POINTS, BatShape, DrawnOutline, outline
 from sweetspot.web.offline.bat_numbers import GRID, OfflineBat, OfflineNumbers
-from sweetspot.web.offline.bundle import bundled
 from sweetspot.web.offline.kernel_module import translated_solver
 from sweetspot.web.offline.words import OfflineWords, offline_words
 from sweetspot.web.page_modules import FOLDER

@@ -1,6 +1,6 @@
 // The page's shell: which view, with which state, asked over the socket, drawn when the answer comes.
 //
-// How to write a view, say static/views/modes.js (plain ES modules; nothing is built, nothing comes from elsewhere):
+// How to write a view, say static/views/modes.js (plain ES modules; web/bundle.py puts them into two files, nothing comes from elsewhere):
 //
 //   export default class ModesView {  // made anew whenever it is opened: its constructor gives every field a value
 //     static guide = [[title, words]];   // the steps of the guide
