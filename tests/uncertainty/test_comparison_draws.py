@@ -18,7 +18,7 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.uncertainty.comparison_draws import drawn_comparison, linear_comparison
 from sweetspot.uncertainty.drawn_hits import draws_of
-from sweetspot.uncertainty.implement_doubt import WEIGHED, doubt_of
+from sweetspot.uncertainty.implement_doubt import USUAL, doubt_of
 from sweetspot.uncertainty.intervals import linear_reach
 from sweetspot.uncertainty.sources import sources_of
 from sweetspot.units import INCH, MPH, OUNCE
@@ -121,7 +121,7 @@ def test_a_weight_on_a_scale_opens_only_the_scale_s_error(tmp_path: Path) -> Non
     one, two = doubt_of(own), doubt_of(plain)
     assert one.behind[: len(two.behind)] == two.behind and len(one.behind) == len(two.behind) + 1
     drawn = draws_of(beam_model(own), standard_conditions(own), sources_of(own, standard_conditions(own)), count=256)
-    assert drawn.bats.bending.mass.std() / (31.3 * OUNCE) == pytest.approx(WEIGHED, rel=0.1)
+    assert drawn.bats.bending.mass.std() / (31.3 * OUNCE) == pytest.approx(USUAL["mass"], rel=0.1)
     assert one.unknowns[0].name == "modulus"
     assert one.covariance[0, 0] == pytest.approx(two.covariance[0, 0], rel=0.01)
     assert halves(tmp_path, "r161-ash", 'like = "r161-ash"\nmass = "31.02 oz"\n')[0] < 0.2

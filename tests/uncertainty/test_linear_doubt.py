@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
-from sweetspot import catalog
+from sweetspot import beam_model, catalog, rigid_body
 from sweetspot.analysis.bat_analysis import Analysis, analyse
 from sweetspot.analysis.comparison import compare
 from sweetspot.answers.compare import compare_of
@@ -15,8 +16,9 @@ from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Terms
+from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.numerics.interval import REACH, Interval, Number
-from sweetspot.reports.bat.words import doubt_words
+from sweetspot.reports.bat.interval_words import doubt_words
 from sweetspot.uncertainty.drawn_hits import SpeedDoubt, speed_doubt
 from sweetspot.uncertainty.sources import Sources, sources_of
 
@@ -103,7 +105,7 @@ def test_a_speed_that_was_written_with_an_error_counts(analysis: Analysis[Bat]) 
     ],
 )
 def test_what_it_comes_from_in_words(shares: dict[str, float], told: str) -> None:
-    assert str(doubt_words(SpeedDoubt(1.0, shares), Terms())) == f", {told}"
+    assert str(doubt_words(SpeedDoubt(1.0, shares, ()), Terms())) == f", {told}"
 
 
 def test_the_default_report_says_it(run: Callable[..., tuple[int, str, str]]) -> None:
@@ -111,3 +113,15 @@ def test_the_default_report_says_it(run: Callable[..., tuple[int, str, str]]) ->
     said = [" ".join(run("report", "tennis-racket", *more)[1].split()) for more in ((), ("--uncertainty",))]
     assert "leaves at 48.3 m/s, give or take 2.9 m/s, mostly by the racket." in said[0]
     assert "leaves at 48.3 ± 2.9 m/s." in said[1]
+    for told in said:
+        assert "To know it within 1.0 m/s, weigh it and time how it swings from a pivot (sweetspot pendulum)." in told
+
+
+def test_nothing_is_to_be_measured_where_little_would_come_of_it(
+    run: Callable[..., tuple[int, str, str]], tmp_path: Path
+) -> None:
+    file = tmp_path / "measured.toml"
+    body = rigid_body(beam_model(catalog.bat()))
+    moments = f'balance_point = "{body.balance_point} m"\nmoi = "{body.moi(STANDARD_AXIS)} kg*m^2"'
+    file.write_text(f'like = "r161-ash"\n{moments}\n', encoding="utf-8")
+    assert "To know it within" not in run("report", str(file))[1]

@@ -28,6 +28,7 @@ from sweetspot.answers.records import (
 )
 from sweetspot.answers.report_draws import drawn_report
 from sweetspot.answers.setups import SwungWith
+from sweetspot.calibration.measurements import MeasuredKind
 from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import ReducedBat
@@ -143,6 +144,14 @@ class HitsOnFace:
     sting: Annotated[Array, GRID, GAPS]
 
 
+@dataclass(frozen=True)
+class WorthMeasuring:
+    """Something to measure on the implement, and half of the interval of its best exit speed once that is done."""
+
+    measured: tuple[MeasuredKind, ...]
+    exit_speed_half: Speed
+
+
 @dataclass(frozen=True, kw_only=True)
 class ReportAnswer(Description, Answer):
     """Everything about one implement and one swing; see `Description` for what it is unswung.
@@ -155,6 +164,7 @@ class ReportAnswer(Description, Answer):
     misses : what they cost; none on a face too short for one.
     at_the_tip : None where the tip is the best place, or moves no faster.
     uncertainty : of the best exit speed, where draws were made.
+    worth_measuring : what was not measured on it and would narrow that interval, the least work first.
     analysis : what the answer was read from.
     doubt : of the best exit speed without draws; None: not known, or draws were made.
     half_by_ball : of the interval that the ball alone leaves to the best exit speed, where nothing else was asked.
@@ -172,6 +182,7 @@ class ReportAnswer(Description, Answer):
     off_center: tuple[HitBeside, ...] = ()
     face_map: HitsOnFace | None = None
     uncertainty: Uncertainty | None = None
+    worth_measuring: tuple[WorthMeasuring, ...] = ()
     swung_with: SwungWith | None = None
     analysis: Annotated[Analysis[Implement], INTERNAL]
     doubt: Annotated[SpeedDoubt | None, INTERNAL] = None
@@ -216,12 +227,13 @@ def report_of(
     if sources is None:
         errors = None if too_soft(analysis) else errors_by_ball(analysis.held, analysis.conditions, place)
         return replace(plain, half_by_ball=None if errors is None else REACH * errors.whole)
+    doubt = None if too_soft(analysis) else speed_doubt(analysis, sources)
+    worth = () if doubt is None else tuple(WorthMeasuring(n.measured, REACH * n.error) for n in doubt.narrowings)
     if not drawn:
-        doubt = None if too_soft(analysis) else speed_doubt(analysis, sources)
         half = None if doubt is None else REACH * doubt.error
-        return replace(plain, doubt=doubt, best_hit=replace(best, exit_speed_half=half))
+        return replace(plain, doubt=doubt, worth_measuring=worth, best_hit=replace(best, exit_speed_half=half))
     found = drawn_report(analysis, sources, misses=plain.misses, count=draws)
-    return with_draws(plain, found, sources, of="best_hit.exit_speed")
+    return replace(with_draws(plain, found, sources, of="best_hit.exit_speed"), worth_measuring=worth)
 
 
 def _described(analysis: Analysis[Implement]) -> ReportAnswer:

@@ -30,6 +30,7 @@ from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.plausibility.table import MAX_SPEED
 from sweetspot.uncertainty.bat_draws import DrawnBats, drawn_bats
 from sweetspot.uncertainty.sources import PATCH, PITCH, SWING, Sources, one_by_one
+from sweetspot.uncertainty.worth_measuring import Narrowing, narrowings
 
 SLOWEST = 0.1
 """m/s that a drawn bat is swung at least."""
@@ -223,11 +224,12 @@ class SpeedDoubt:
     """What is not known of an exit speed.
 
     ``error``: one standard deviation, m/s. ``shares``: part of the variance that every source adds, by its name, the
-    greatest first.
+    greatest first. ``narrowings``: what it becomes once more is measured on the implement.
     """
 
     error: float
     shares: Mapping[str, float]
+    narrowings: tuple[Narrowing, ...]
 
 
 def speed_doubt(analysis: Analysis[Implement], sources: Sources) -> SpeedDoubt | None:
@@ -242,10 +244,14 @@ def speed_doubt(analysis: Analysis[Implement], sources: Sources) -> SpeedDoubt |
         return None
     up, down = hit.exit_speed[1:].reshape(2, count)
     variances = dict.fromkeys(sources.names, 0.0)
-    for name, half in zip(sources.names, ((up - down) / 2).tolist(), strict=True):
+    slopes = (up - down) / 2
+    for name, half in zip(sources.names, slopes.tolist(), strict=True):
         variances[name] += half**2
     whole = sum(variances.values())
     if not whole > 0:
         return None
     ranked = sorted(variances.items(), key=lambda variance: -variance[1])
-    return SpeedDoubt(whole**0.5, {name: part / whole for name, part in ranked})
+    behind = len(sources.doubt.behind)
+    others = float(np.linalg.norm(slopes[behind:]))
+    narrower = narrowings(analysis.bat, sources.doubt, slopes=slopes[:behind], others=others)
+    return SpeedDoubt(whole**0.5, {name: part / whole for name, part in ranked}, narrower)

@@ -9,19 +9,19 @@ G = C H^T (H C H^T)^-1, so that its own values are off by e and all else stays a
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.measurements import MeasuredKind, Measurement, predicted
 from sweetspot.calibration.mode_naming import ModeName
 from sweetspot.calibration.posterior import calibrate
 from sweetspot.calibration.unknowns import Unknown, as_described, described, deviated, unknowns_of
 from sweetspot.catalog.bats import other_files
 from sweetspot.catalog.implements import implement
-from sweetspot.dynamics.beam import beam_model
+from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.rigid import moi_doubt, outline_doubts, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
@@ -29,9 +29,12 @@ from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 
-WEIGHED, BALANCED, HUNG, RUNG = 0.003, 0.0025, 0.01, 0.03
-"""One sigma of a weight, of a balance point in m, of a moment of inertia and of a first frequency, that a file gives
-without an error: 0.1 oz of 31, 0.1 in, 1 %, 3 % (assumed; a frequency may come from a shop's stiffness)."""
+USUAL: Mapping[MeasuredKind, float] = {"mass": 0.003, "moi": 0.01, "frequency": 0.03}
+BALANCED = 0.0025
+"""One sigma of a weight, a moment of inertia and a first frequency, as parts of them, and of a balance point in m, that
+are given without an error: 0.1 oz of 31, 1 %, 3 %, 0.1 in (assumed; a frequency may come from a shop's stiffness)."""
+WRITTEN: tuple[MeasuredKind, ...] = ("mass", "balance_point", "moi", "frequency")
+"""What a file can say that was measured."""
 STEP = 0.05
 """Of a spread, in the differences by which measured values go with deviations."""
 Known = tuple[Sequence[Unknown], Array]
@@ -85,22 +88,31 @@ def doubt_of_piece(piece: Hashable, unknowns: Sequence[Unknown], covariance: Arr
 
 def _measured_anew(doubt: ImplementDoubt, tool: Implement) -> ImplementDoubt:
     """Return the doubt of an implement that was changed from one of this doubt, after what was measured on it."""
-    given = _written(tool)
+    given = written(tool)
     if not given or not doubt.unknowns:
         return doubt
-    beam = beam_model(tool) if isinstance(tool, Bat) else as_described(tool)
-    steps = STEP * np.diag(np.sqrt(np.diag(doubt.covariance)))
-
-    def values(deviations: Array) -> Array:
-        return predicted(deviated(beam, doubt.unknowns, deviations), given)
-
-    sizes = np.maximum(np.diag(steps), 1e-12)
-    slopes = np.array([(values(step) - values(-step)) / (2 * size) for step, size in zip(steps, sizes, strict=True)]).T
-    before = slopes @ doubt.factor
+    before = values_by_numbers(doubt, beam_of(tool), given)
     gain = doubt.factor @ np.linalg.pinv(before, rcond=1e-9)
     errors = gain * np.array([each.error for each in given])
     behind = (*doubt.behind, *((tool, each.name) for each in given))
     return ImplementDoubt(doubt.unknowns, np.hstack([doubt.factor - gain @ before, errors]), behind)
+
+
+def beam_of(tool: Implement) -> BeamModel:
+    """Return the beam that the deviations of an implement are counted from."""
+    return beam_model(tool) if isinstance(tool, Bat) else as_described(tool)
+
+
+def values_by_numbers(doubt: ImplementDoubt, beam: BeamModel, measurements: Sequence[Measurement]) -> Array:
+    """Return the slopes of measured values by the numbers behind a doubt, shape (measurements, numbers)."""
+    steps = STEP * np.diag(np.sqrt(np.diag(doubt.covariance)))
+
+    def values(deviations: Array) -> Array:
+        return predicted(deviated(beam, doubt.unknowns, deviations), measurements)
+
+    sizes = np.maximum(np.diag(steps), 1e-12)
+    slopes = np.array([(values(step) - values(-step)) / (2 * size) for step, size in zip(steps, sizes, strict=True)]).T
+    return np.asarray(slopes @ doubt.factor)
 
 
 def _with_outline(bat: Implement, unknowns: Sequence[Unknown], covariance: Array) -> tuple[tuple[Unknown, ...], Array]:
@@ -131,30 +143,31 @@ def expected_deviations(bat: Implement) -> tuple[tuple[Unknown, ...], Array]:
         unknowns = unknowns_of(bat)
     except InputError:
         return (), np.zeros((0, 0))
-    given = _written(bat)
+    given = written(bat)
     if not given:
         return unknowns, np.diag([unknown.spread**2 for unknown in unknowns])
     return unknowns, calibrate(described(bat), unknowns, given).covariance
 
 
-def _written(tool: Implement) -> list[Measurement]:
+def written(tool: Implement) -> list[Measurement]:
     """Return the measurements in a file that were made on the implement itself, not on the one it was changed from.
 
     Of a racket, club or stick the catalogue's own values were not measured.
     """
     others = () if isinstance(tool, Bat) else map(implement, other_files())
     usual = tool.original or next((other for other in others if other.sport == tool.sport), None)
-    mass, balance_point, moi, frequency = (
-        None if name in tool.fitted or (usual and getattr(tool, name) == getattr(usual, name)) else getattr(tool, name)
-        for name in ("mass", "balance_point", "moi", "frequency")
-    )
-    given = []
-    if mass is not None:
-        given.append(Measurement("mass", Measured(mass, WEIGHED * mass)))
-    if balance_point is not None:
-        given.append(Measurement("balance_point", Measured(balance_point, BALANCED)))
-    if moi is not None:
-        given.append(Measurement("moi", Measured(moi, HUNG * moi), axis=tool.moi_axis))
-    if frequency is not None:
-        given.append(Measurement("frequency", Measured(frequency, RUNG * frequency), mode=ModeName("bending", 1)))
-    return given
+    values = {
+        name: None
+        if name in tool.fitted or (usual and getattr(tool, name) == getattr(usual, name))
+        else getattr(tool, name)
+        for name in WRITTEN
+    }
+    return [usual_measurement(tool, name, value) for name, value in values.items() if value is not None]
+
+
+def usual_measurement(tool: Implement, kind: MeasuredKind, value: float) -> Measurement:
+    """Return a value in SI, measured on an implement as well as people usually can."""
+    if kind == "balance_point":
+        return Measurement(kind, Measured(value, BALANCED))
+    mode = ModeName("bending", 1) if kind == "frequency" else None
+    return Measurement(kind, Measured(value, USUAL[kind] * value), axis=tool.moi_axis, mode=mode)

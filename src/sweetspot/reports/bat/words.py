@@ -16,13 +16,12 @@ from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.sport import Terms
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
-from sweetspot.numerics.interval import REACH, Interval, Number
+from sweetspot.numerics.interval import Interval, Number
+from sweetspot.reports.bat.interval_words import narrower, sureness
 from sweetspot.reports.bat.provenance import soft_defaults
 from sweetspot.reports.hit.document import best_in_doubt, curve
 from sweetspot.reports.sentences import Line, Part, Sentence, Slot, joined, say, tell, within
 from sweetspot.reports.sport_words import arriving, in_words, weight, words_of
-from sweetspot.uncertainty.drawn_hits import SpeedDoubt
-from sweetspot.uncertainty.sources import BALL_SOURCES, PATCH, PITCH, SWING
 
 LEAST_SHARE = 5e-4
 """Part of the energy below which one decimal of a per cent would say none."""
@@ -90,15 +89,6 @@ def _beside(report: ReportAnswer, words: Terms) -> Sentence:
     )
 
 
-def _sure(report: ReportAnswer, words: Terms) -> Sentence:
-    """Return the doubt of the exit speed and its causes; nothing if unknown or if it stands beside the speed."""
-    if report.doubt is not None:
-        return doubt_words(report.doubt, words)
-    if report.half_by_ball is None:
-        return say("")
-    return in_words(", give or take {half:speed} by the {ball} alone", words, half=report.half_by_ball)
-
-
 def _too_soft(analysis: Analysis[Implement], words: Terms) -> Sentence:
     """Return the sentence in place of an answer that would be none."""
     if not np.isfinite(bent_part(analysis)):
@@ -119,8 +109,8 @@ def _where(report: ReportAnswer, words: Terms) -> Sentence:
         place=from_tip(report, spots.max_exit_speed),
         coming=arriving(words, float(report.conditions.pitch_speed)),
         speed=best.exit_speed,
-        doubt=_sure(report, words),
-    )
+        doubt=sureness(report, words),
+    ) + narrower(report)
     if words.smash_factor and best.smash_factor is not None:
         text += in_words(
             " Its {smash_factor}, {exit_speed} over {implement} speed, is {ratio:ratio, 2}.",
@@ -277,37 +267,6 @@ def _wall(report: ReportAnswer) -> Sentence:
         frequency=report.lowest_hoop,
         left=Slot(share, "share", 1) if float(share) >= LEAST_SHARE else "less than 0.1 %",
     )
-
-
-MOSTLY, COUNTS = 0.6, 0.1
-"""Parts of the variance from which on one thing is most of it, and from which on a thing is named beside others."""
-
-
-def doubt_words(doubt: SpeedDoubt, words: Terms) -> Sentence:
-    """Return the half width of the interval and what it comes from: ", give or take 6 mph, mostly by the ball"."""
-    half = Slot(REACH * doubt.error, "speed")
-    parts = _by_thing(doubt, words)
-    if len(parts) == 1:
-        return say(", give or take {half} by {thing} alone", half=half, thing=next(iter(parts)))
-    ranked = sorted(parts, key=lambda thing: -parts[thing])
-    if parts[ranked[0]] >= MOSTLY:
-        return say(", give or take {half}, mostly by {thing}", half=half, thing=ranked[0])
-    *named, last = [thing for thing in ranked if parts[thing] >= COUNTS]
-    return say(", give or take {half}, by {things} and {last}", half=half, things=", ".join(named), last=last)
-
-
-def _by_thing(doubt: SpeedDoubt, words: Terms) -> dict[str, float]:
-    """Return the parts of the variance due to the ball, the implement and the given speeds."""
-    parts: dict[str, float] = {}
-    for name, share in doubt.shares.items():
-        if name in BALL_SOURCES or name == PATCH:
-            thing = f"the {words.ball}"
-        elif name in (SWING, PITCH):
-            thing = "the speeds as they were written"
-        else:
-            thing = f"the {words.implement}"
-        parts[thing] = parts.get(thing, 0.0) + share
-    return parts
 
 
 NEAR = 0.006

@@ -1,0 +1,75 @@
+"""How sure the exit speed of a report is, what its interval comes from, and what would narrow it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from sweetspot.answers.report import ReportAnswer
+from sweetspot.calibration.measurements import MeasuredKind
+from sweetspot.equipment.sport import Terms
+from sweetspot.numerics.interval import REACH, Interval
+from sweetspot.reports.sentences import Sentence, Slot, say
+from sweetspot.reports.sport_words import in_words
+from sweetspot.uncertainty.drawn_hits import SpeedDoubt
+from sweetspot.uncertainty.sources import BALL_SOURCES, PATCH, PITCH, SWING
+
+MOSTLY, COUNTS = 0.6, 0.1
+"""Parts of the variance from which on one thing is most of it, and from which on a thing is named beside others."""
+MUCH = 0.7
+"""Part of an interval that a measurement may leave to be worth telling [our choice]."""
+AS_WELL = 1.15
+"""Times the narrowest interval within which less work does as well [our choice]."""
+HOW_TO: Mapping[MeasuredKind, str] = {
+    "mass": "weigh it",
+    "balance_point": "balance it on an edge",
+    "moi": "time how it swings from a pivot (sweetspot pendulum)",
+}
+
+
+def sureness(report: ReportAnswer, words: Terms) -> Sentence:
+    """Return the doubt of the exit speed and its causes; nothing if unknown or if it stands beside the speed."""
+    if report.doubt is not None:
+        return doubt_words(report.doubt, words)
+    if report.half_by_ball is None:
+        return say("")
+    return in_words(", give or take {half:speed} by the {ball} alone", words, half=report.half_by_ball)
+
+
+def narrower(report: ReportAnswer) -> Sentence:
+    """Say what to measure so that the exit speed is much surer; nothing where nothing does that."""
+    halves = [float(each.exit_speed_half) for each in report.worth_measuring]
+    whole = report.best_hit.exit_speed
+    now = (whole.high - whole.low) / 2 if isinstance(whole, Interval) else float(report.best_hit.exit_speed_half or 0.0)
+    if not halves or min(halves) > MUCH * now:
+        return say("")
+    chosen = next(each for each in report.worth_measuring if float(each.exit_speed_half) <= AS_WELL * min(halves))
+    *first, last = [HOW_TO[kind] for kind in chosen.measured]
+    ways = " and ".join([*filter(None, [", ".join(first)]), last])
+    return say(" To know it within {half:speed}, {ways}.", half=chosen.exit_speed_half, ways=ways)
+
+
+def doubt_words(doubt: SpeedDoubt, words: Terms) -> Sentence:
+    """Return the half width of the interval and what it comes from: ", give or take 6 mph, mostly by the ball"."""
+    half = Slot(REACH * doubt.error, "speed")
+    parts = _by_thing(doubt, words)
+    if len(parts) == 1:
+        return say(", give or take {half} by {thing} alone", half=half, thing=next(iter(parts)))
+    ranked = sorted(parts, key=lambda thing: -parts[thing])
+    if parts[ranked[0]] >= MOSTLY:
+        return say(", give or take {half}, mostly by {thing}", half=half, thing=ranked[0])
+    *named, last = [thing for thing in ranked if parts[thing] >= COUNTS]
+    return say(", give or take {half}, by {things} and {last}", half=half, things=", ".join(named), last=last)
+
+
+def _by_thing(doubt: SpeedDoubt, words: Terms) -> dict[str, float]:
+    """Return the parts of the variance due to the ball, the implement and the given speeds."""
+    parts: dict[str, float] = {}
+    for name, share in doubt.shares.items():
+        if name in BALL_SOURCES or name == PATCH:
+            thing = f"the {words.ball}"
+        elif name in (SWING, PITCH):
+            thing = "the speeds as they were written"
+        else:
+            thing = f"the {words.implement}"
+        parts[thing] = parts.get(thing, 0.0) + share
+    return parts
