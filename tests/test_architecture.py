@@ -58,6 +58,8 @@ HOMES = {
     "pymoo": ("designs/",),
     "ezdxf": ("reports/drawings/dxf.py", "calibration/outline/"),
     "fontTools": ("calibration/outline/",),
+    "pyuff": ("calibration/response_file.py",),
+    "segno": ("reports/kit.py",),
     "PIL": ("calibration/outline/photo/",),
     "polars": ("answers/", "seasons/", "reports/season/", "player/swing_table.py", "numerics/whole_parquet.py"),
     "distributed": ("seasons/cluster.py",),

@@ -55,23 +55,23 @@ def rank(
 
 
 def tap(*recordings: Path | str, implement: Loaded | None = None, at: Place | None = None) -> TapAnswer:
-    """Find the taps in sound recordings, reject the bad ones, and name the tones of the good ones.
+    """Find the taps in recordings, reject the bad ones, and name the tones of the good ones.
 
     Parameters
     ----------
-    recordings : sound files.
+    recordings : sound files, tables of accelerations or of a frequency response, universal files.
     implement : what was tapped; None: unknown, and its tones have no names.
     at : m from the knob end, where it was tapped.
     """
     from sweetspot.answers.tap import TapQuestion, tap_answer
-    from sweetspot.calibration.recording import read_recording
+    from sweetspot.calibration.response_file import read_taps
 
     described = None if implement is None else implement.implement.as_drawn()
     if at is not None and described is None:
         raise InputError("at was given without implement; say what was tapped")
     if at is not None and described is not None:
         described.check_position(at, "at")
-    heard = [read_recording(Path(path)) for path in recordings]
+    heard = [recording for path in recordings for recording in read_taps(Path(path))]
     return tap_answer(TapQuestion(heard, described, [] if at is None else [at]))
 
 

@@ -55,7 +55,9 @@ class WeighedOptions:
 class RungOptions:
     """What it rings with."""
 
-    tap: Annotated[list[Path] | None, Parameter(help="Sound files of taps; may be given again.")] = None
+    tap: Annotated[list[Path] | None, Parameter(help="Recordings of taps, as tap reads them; may be given again.")] = (
+        None
+    )
     at: Annotated[list[str] | None, Parameter(help="Where it was tapped: 1in-from-tip; may be given again.")] = None
     tone: Annotated[
         list[str] | None,
@@ -184,7 +186,7 @@ def _weighed(described: Implement, weighed: WeighedOptions) -> list[Measurement]
 def _tapped(described: Implement, recordings: list[Path], at: list[str]) -> tuple[list[Measurement], Measured | None]:
     """Return the tones that recordings hold, and the damping of the bending modes."""
     from sweetspot.answers.tap import TapQuestion, tap_answer
-    from sweetspot.calibration.recording import read_recording
+    from sweetspot.calibration.response_file import read_taps
     from sweetspot.cli.tap_command import tap_places
     from sweetspot.reports.tap import touched_words, unlike_words
 
@@ -192,7 +194,7 @@ def _tapped(described: Implement, recordings: list[Path], at: list[str]) -> tupl
         if at:
             raise InputError("--at was given without --tap; name the recordings")
         return [], None
-    sounds = [read_recording(path) for path in recordings]
+    sounds = [heard for path in recordings for heard in read_taps(path)]
     tapped = tap_answer(TapQuestion(sounds, described, tap_places(described, at)))
     if tapped.test.unheard:
         raise InputError(

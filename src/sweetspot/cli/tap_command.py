@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_ANSWER, AnswerOptions
-from sweetspot.cli.options.reading import given, refuse_unused
+from sweetspot.cli.options.reading import DEFAULT_COLUMNS, ColumnOptions, given, refuse_unused
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
@@ -73,12 +73,17 @@ DEFAULT_TAPPED, DEFAULT_LISTENING, DEFAULT_SYNTHESIS = TappedOptions(), Listenin
 
 def tap(
     recordings: Annotated[
-        list[Path] | None, Parameter(help="Sound files of taps: WAV, FLAC, OGG, MP3, M4A, WebM.")
+        list[Path] | None,
+        Parameter(
+            help="Sound files of taps (WAV, FLAC, OGG, MP3, M4A, WebM), or what an accelerometer measured: CSV over "
+            "time or as a frequency response, or a universal file (UFF 58)."
+        ),
     ] = None,
     /,
     *,
     tapped: TappedOptions = DEFAULT_TAPPED,
     listening: ListeningOptions = DEFAULT_LISTENING,
+    columns: ColumnOptions = DEFAULT_COLUMNS,
     synthesis: SynthesisOptions = DEFAULT_SYNTHESIS,
     out: Annotated[
         Path | None,
@@ -86,10 +91,10 @@ def tap(
     ] = None,
     answer: AnswerOptions = DEFAULT_ANSWER,
 ) -> int:
-    """Find the taps in sound recordings, reject the bad ones, and name the tones of the good ones."""
+    """Find the taps in recordings, reject the bad ones, and name the tones of the good ones."""
     from sweetspot import catalog
     from sweetspot.answers.tap import TapQuestion, tap_answer
-    from sweetspot.calibration.recording import read_recording
+    from sweetspot.calibration.response_file import read_taps
     from sweetspot.cli.output import present
     from sweetspot.reports.tap import tap_document
 
@@ -112,7 +117,7 @@ def tap(
         bar=_bar(tapped.bar, tapped.mass),
         band=None if listening.band is None else _band(listening.band),
         most_damping=None if listening.most_damping is None else _most_damping(listening.most_damping),
-        recordings=[read_recording(path) for path in recordings],
+        recordings=[heard for path in recordings for heard in read_taps(path, given=columns.given())],
     )
     return present(tap_document(tap_answer(question)), output)
 

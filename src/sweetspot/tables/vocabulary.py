@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from sweetspot.units import DEGREE, FOOT, INCH, MPH, OUNCE, OUNCE_INCH_SQUARED, POUND_FORCE, RPM
+from sweetspot.units.factors import STANDARD_GRAVITY
 
 FileUnits = Literal["us", "metric"]
 
@@ -30,9 +31,9 @@ UNITS: Mapping[str, Mapping[str, float]] = {
     "distance": {"ft": FOOT, "feet": FOOT} | LENGTHS,
     "place": {f"{unit}_from_{end}": size for unit, size in SHORT.items() for end in ("tip", "knob")},
     "station": LENGTHS | {f"{unit}_from_{end}": size for unit, size in LENGTHS.items() for end in ("tip", "knob")},
-    "time": {"s": 1.0, "sec": 1.0, "seconds": 1.0},
+    "time": {"s": 1.0, "sec": 1.0, "seconds": 1.0, "ms": 1e-3},
     "spin": {"rpm": RPM, "rad_s": 1.0},
-    "acceleration": {"ft_s2": FOOT, "m_s2": 1.0},
+    "acceleration": {"ft_s2": FOOT, "m_s2": 1.0, "g": STANDARD_GRAVITY},
     "temperature": {"degf": 5 / 9, "degc": 1.0, "f": 5 / 9, "c": 1.0, "°f": 5 / 9, "°c": 1.0},
     "pressure": {"hpa": 100.0, "mbar": 100.0, "inhg": 3386.389, "in_hg": 3386.389, "mmhg": 133.3224, "kpa": 1000.0},
     "mass": {"oz": OUNCE, "ounces": OUNCE, "kg": 1.0, "g": 0.001, "grams": 0.001, "lb": 16 * OUNCE, "lbs": 16 * OUNCE},
