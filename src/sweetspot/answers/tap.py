@@ -7,15 +7,25 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from sweetspot.answers.answer import Answer
+from sweetspot.answers.paddle_core import PaddleCore, core_verdict, states_of
 from sweetspot.answers.records import INTERNAL
 from sweetspot.calibration.bar import Bar, BarModulus
 from sweetspot.calibration.measured import Measured, pooled
 from sweetspot.calibration.measurements import Measurement, of_tones
 from sweetspot.calibration.mode_naming import NamedTone
 from sweetspot.calibration.recording import FrequencyBand, Recording
-from sweetspot.calibration.tap_analysis import TapTest, held_damping, modes_to_name, tap_test, tones_to_fit, usual_band
+from sweetspot.calibration.tap_analysis import (
+    TapTest,
+    held_damping,
+    modes_to_name,
+    named_anew,
+    tap_test,
+    tones_to_fit,
+    usual_band,
+)
 from sweetspot.calibration.taps import Tap
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.numerics.interval import LEVEL
 from sweetspot.units.dimensions import FREQUENCY, MODULUS, TIME
 
@@ -101,6 +111,7 @@ class TapAnswer(Answer):
     tones : of the good taps together, the lowest first.
     bar : elastic constants, where a bar was tapped.
     plate : tones of a bar so wide that they cannot be named.
+    core : of a paddle: sound or crushed, and whether it keeps the rules.
     """
 
     question: Annotated[TapQuestion, INTERNAL]
@@ -110,6 +121,7 @@ class TapAnswer(Answer):
     tones: tuple[HeardTone, ...]
     bar: BarModulus | None
     plate: tuple[PlateTone, ...] | None
+    core: PaddleCore | None = None
 
     @property
     def measurements(self) -> list[Measurement]:
@@ -136,7 +148,8 @@ def tap_answer(question: TapQuestion, *, taps: Sequence[Tap] | None = None) -> T
     InputError
         where no tap can be used, or both a bar and an implement were tapped.
     """
-    modes = None if question.implement is None else modes_to_name(question.implement)
+    implement = question.implement
+    modes = None if implement is None else modes_to_name(implement)
     usual = usual_band(modes) if question.bar is None else question.bar.band
     test = tap_test(
         question.recordings,
@@ -147,6 +160,11 @@ def tap_answer(question: TapQuestion, *, taps: Sequence[Tap] | None = None) -> T
         held=held_damping(modes) if question.most_damping is None else question.most_damping,
         taps=taps,
     )
+    core = None
+    if isinstance(implement, Paddle):
+        states = states_of([named.tone for named in test.tones], implement, question.positions)
+        test = named_anew(test, [max(states, key=lambda state: state.probability).family])
+        core = core_verdict(states, implement)
     along = test.moduli_along
     return TapAnswer(
         question=question,
@@ -155,6 +173,7 @@ def tap_answer(question: TapQuestion, *, taps: Sequence[Tap] | None = None) -> T
         tones=tuple(map(_heard_tone, test.tones)),
         bar=test.bar,
         plate=None if along is None else tuple(PlateTone(tone.frequency.value, modulus) for tone, modulus in along),
+        core=core,
     )
 
 

@@ -32,6 +32,7 @@ from sweetspot.dynamics.modes import Family, Modes
 from sweetspot.dynamics.reduction import all_modes
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 
@@ -59,8 +60,13 @@ def usual_band(modes: Modes | None) -> FrequencyBand:
 
 
 def frame_modes(implement: Implement) -> Modes:
-    """Return the modes that a tap on the frame, the shaft or the blade rings: strings and rubber are held still."""
+    """Return the modes that a tap on the frame, the shaft or the blade rings: strings and rubber are held still.
+
+    A paddle has none: it is tapped on its face.
+    """
     modes = modes_to_name(implement)
+    if isinstance(implement, Paddle):
+        return modes
     return modes.selected([index for index, family in enumerate(modes.families) if family != "face"])
 
 
@@ -193,6 +199,12 @@ def tap_test(
     if modes is None:
         return replace(test, tones=_like_a_bat(named(heard, [any_bat()])), expected=(any_bat(),), by_ratios=True)
     expected = [expected_of(modes, family, positions=positions) for family in FAMILIES if modes.of_family(family)]
+    return replace(test, tones=named(heard, expected), expected=tuple(expected), misfit=misfit(heard, expected))
+
+
+def named_anew(test: TapTest, expected: Sequence[ModeFamily]) -> TapTest:
+    """Return a test whose tones are named after other families of modes."""
+    heard = [each.tone for each in test.tones]
     return replace(test, tones=named(heard, expected), expected=tuple(expected), misfit=misfit(heard, expected))
 
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from sweetspot.equipment.implement import Implement
 
 PLACE = "1in-from-tip"
-"""Where a sound that is made is tapped and heard, unless somebody says."""
+"""Where a sound that is made is tapped and heard, unless somebody says; a paddle in the middle of its face."""
 
 
 @Parameter(name="*")
@@ -60,7 +60,8 @@ class SynthesisOptions:
 
     synthesise: Annotated[str | None, Parameter(help="Write the sound of this bat instead of reading one.")] = None
     listen_at: Annotated[
-        str | None, Parameter(help="Where the microphone is, for --synthesise; default: 1in-from-tip.")
+        str | None,
+        Parameter(help="Where the microphone is, for --synthesise; default: 1in-from-tip, of a paddle its middle."),
     ] = None
     noise: Annotated[str | None, Parameter(help="Noise over the loudest sample, for --synthesise; default: 0.2%.")] = (
         None
@@ -103,7 +104,7 @@ def tap(
         read |= {"--band": listening.band, "--most-damping": listening.most_damping}
         if unread := [name for name, value in read.items() if value]:
             raise InputError(f"--synthesise makes a sound and reads none; leave out {', '.join(unread)}")
-        return _synthesise(synthesis.synthesise, synthesis, tapped.at or [PLACE], out)
+        return _synthesise(synthesis.synthesise, synthesis, tapped.at or [], out)
     refuse_unused(given(synthesis, "listen_at", "noise", "seed"), "a sound that is made", "add --synthesise BAT")
     if not recordings:
         raise InputError("no recording was given; name at least one sound file, or use --synthesise BAT")
@@ -176,6 +177,7 @@ def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path
     from sweetspot import catalog
     from sweetspot.calibration.recording import recording_bytes, synthesised
     from sweetspot.calibration.tap_analysis import frame_modes
+    from sweetspot.equipment.paddle import Paddle
     from sweetspot.plausibility import parse
     from sweetspot.reports.files import write_all
 
@@ -184,10 +186,11 @@ def _synthesise(name: str, synthesis: SynthesisOptions, at: list[str], out: Path
         raise InputError(f"--seed was given as {seed}; allowed is a whole number from 0 up")
     noise = parse(synthesis.noise or "0.2%", "ratio", "--noise")
     described = catalog.load_implement(name)
-    places = tap_places(described, at)
-    if len(places) > 1:
+    if len(at) > 1:
         raise InputError("--synthesise taps in one place; give --at once")
-    listened = tap_places(described, [synthesis.listen_at or PLACE], "--listen-at")[0]
+    usual = described.outline.middle if isinstance(described, Paddle) else tap_places(described, [PLACE])[0]
+    places = tap_places(described, at) or [usual]
+    listened = usual if synthesis.listen_at is None else tap_places(described, [synthesis.listen_at], "--listen-at")[0]
     sound = synthesised(frame_modes(described), position=places[0], listened=listened, noise=noise, seed=seed)
     path = out or Path(f"{Path(name).stem}-tap.wav")
     write_all({path: recording_bytes(sound, path)})

@@ -12,6 +12,7 @@ from sweetspot.calibration.tap_analysis import TapTest
 from sweetspot.calibration.tap_faults import HEARD
 from sweetspot.calibration.taps import Tap, Tone
 from sweetspot.reports.document import Block, Cell, Document, Paragraph, Picture, Table, as_columns, drawn, table_head
+from sweetspot.reports.paddle_core import core_blocks
 from sweetspot.reports.quantities import NOTHING, SI
 from sweetspot.reports.sentences import Sentence, joined, measured_words, say
 
@@ -61,6 +62,8 @@ def tap_document(answer: TapAnswer) -> Document:
         blocks.append(Paragraph(unlike_words(test), "warning"))
     if test.touched:
         blocks.append(Paragraph(touched_words(test, test.touched), "warning"))
+    if answer.core is not None:
+        blocks += core_blocks(answer.core)
     blocks.append(_tones(test))
     if test.bar is not None:
         blocks += [_bar(test.bar), Paragraph(_budget(test.bar)), *(Paragraph(words) for words in _finer(test.bar))]
