@@ -143,6 +143,16 @@ def test_metal_has_its_own_sizes_and_wood_its_own() -> None:
         assert [one.rule.most for one in held] == [pytest.approx(longest * INCH)]
 
 
+@pytest.mark.parametrize(
+    ("wider", "verdict", "sure"), [(-1e-4, Verdict.PASS, True), (1e-4, Verdict.PASS, False), (3e-4, Verdict.FAIL, True)]
+)
+def test_a_barrel_too_wide_by_less_than_a_caliper_tells_is_no_fail(wider: float, verdict: Verdict, sure: bool) -> None:
+    """A calibrated bat's barrel comes out of the fit a few hundredths of a millimetre off the drawn one."""
+    limited = rule(quantity="diameter", most=2.625 * INCH)
+    found = check_rule(limited, bat=catalog.bat(), finding=Finding(2.625 * INCH + wider))
+    assert (found.verdict, found.sure) == (verdict, sure)
+
+
 def test_one_piece_of_solid_wood(r161: Bat) -> None:
     cork = catalog.material("cork")
     assert checks("mlb", r161)["solid_wood"].verdict is Verdict.PASS

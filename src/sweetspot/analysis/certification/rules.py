@@ -30,6 +30,8 @@ SLACK = 1e-6
 """Relative tolerance of a limit, for rounding of units alone."""
 WEIGHING = 0.005
 """The same for the drop, in ounces: half of a hundredth, to which bats are weighed."""
+CALIPER = 0.2e-3
+"""Of a barrel's diameter, m: what a careful caliper tells (assumed); an outline that was fitted is off by less."""
 
 QUANTITIES: dict[str, tuple[str, str]] = {
     "length": ("length", "m"),
@@ -310,6 +312,8 @@ def _verdict(rule: Rule, value: float, finding: Finding) -> tuple[Verdict, str]:
         if finding.doubt_within:
             return Verdict.NOT_DECIDABLE, finding.doubt_within
         return Verdict.PASS, _straddles(rule, finding)
+    if rule.quantity == "diameter" and _margin(rule, value) >= -CALIPER:
+        return Verdict.PASS, "it lies beyond the limit by less than a caliper tells"
     if rule.doubt_beyond:
         return Verdict.NOT_DECIDABLE, rule.doubt_beyond
     return Verdict.FAIL, _straddles(rule, finding)
