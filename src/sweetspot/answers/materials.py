@@ -12,7 +12,7 @@ from sweetspot.answers.records import INTERNAL, OF_RECORD
 from sweetspot.catalog.materials import CALLED, FIELDS, FILE, material, material_names
 from sweetspot.catalog.records import Record, all_records, canonical, entry, read_table
 from sweetspot.equipment.material import Material
-from sweetspot.numerics.interval import Interval, Number
+from sweetspot.numerics.interval import REACH, Interval, Number
 from sweetspot.references import cite
 from sweetspot.units.dimensions import ANGLE, DENSITY, MODULUS, RATIO, Dimension
 
@@ -44,7 +44,7 @@ class MaterialFacts:
 
 @dataclass(frozen=True)
 class MaterialValue:
-    """One value of a material with its plausible interval, and what it rests on."""
+    """One value of a material with the 90 % interval that the catalogue's spread means, and what it rests on."""
 
     quantity: str
     value: Annotated[Number, OF_RECORD]
@@ -111,8 +111,9 @@ def material_answer(name: str) -> MaterialAnswer:
     )
 
 
-def _value(value: float, half: float | None, record: Record) -> MaterialValue:
-    number: Number = value if half is None else Interval(value, value - half, value + half)
+def _value(value: float, spread: float | None, record: Record) -> MaterialValue:
+    half = 0.0 if spread is None else REACH * spread
+    number: Number = Interval(value, max(0.0, value - half), value + half) if half else value
     return MaterialValue(record.name.rpartition(".")[2], number, record.kind, cite(record.source), record.where)
 
 

@@ -71,7 +71,8 @@ GROUPS: Mapping[str, tuple[str, ...]] = {
 EVERY_COMMAND = (
     "Lengths, weights, speeds and angles have units: 33in, 84cm, 31oz, 90mph, 10deg. Every command takes --force: "
     "numbers as they are given, however unusual; and --quiet: no notes on what was written. A name with blanks stands "
-    "in quotes."
+    "in quotes. What you write behind ±, as in 31.2oz±0.05oz, is one standard deviation of your measurement; ± in an "
+    "answer is half of a 90 % interval."
 )
 
 

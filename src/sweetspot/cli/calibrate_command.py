@@ -33,7 +33,7 @@ class WeighedOptions:
     mass: Annotated[
         str | None,
         Parameter(
-            help="Weight: 31.2oz, or 31.2oz±0.05oz. Without ± the last digit counts, and no less than 1 g, 0.5 mm of "
+            help="Weight: 31.2oz, or 31.2oz±0.05oz, one standard deviation. Without ± the last digit counts, and no less than 1 g, 0.5 mm of "
             "balance, 2 ms of a swing, 0.3 Hz."
         ),
     ] = None

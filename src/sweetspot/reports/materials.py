@@ -7,7 +7,7 @@ import math
 from sweetspot.answers.materials import MaterialAnswer, MaterialFacts, MaterialsAnswer, MaterialValue
 from sweetspot.numerics.interval import interval_of
 from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Table, as_columns, table_head
-from sweetspot.reports.sentences import Doubtful, Sentence, Slot
+from sweetspot.reports.sentences import PLUS_MINUS, Doubtful, Sentence, Slot
 
 SHOWN = {
     "density": ("density at 12 % moisture", "density"),
@@ -63,7 +63,7 @@ def material_document(answer: MaterialAnswer) -> Document:
         title=answer.name,
         kind="Material",
         blocks=[
-            Paragraph("Behind ± stands half of the interval that is plausible of a piece that bats are made of."),
+            Paragraph(f"{PLUS_MINUS} Of a piece such as bats are made of."),
             Table("The material", columns, rows, "values"),
             *_grain(answer),
             *(Paragraph(f"{_called(answer, value)}: {value.where}.", "note") for value in answer.values),

@@ -117,7 +117,11 @@ def read(
 
 Uncertainty = Annotated[
     bool,
-    Parameter(negative="", help="Put intervals beside the numbers, and say what they come from. Speeds: 70mph±2mph."),
+    Parameter(
+        negative="",
+        help="Put intervals beside the numbers, and say what they come from. Speeds: 70mph±2mph, "
+        "behind ± one standard deviation.",
+    ),
 ]
 
 

@@ -6,7 +6,7 @@ from sweetspot.answers.calibrate_ball import CalibrateBallAnswer
 from sweetspot.calibration.measured import Measured
 from sweetspot.catalog.sports import sport
 from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Table, as_columns
-from sweetspot.reports.sentences import Sentence, Slot, joined, measured_words, say
+from sweetspot.reports.sentences import PLUS_MINUS, Sentence, Slot, joined, measured_words, say
 from sweetspot.reports.sport_words import reader_of
 from sweetspot.units import MPH
 
@@ -18,7 +18,7 @@ def calibrate_ball_document(answer: CalibrateBallAnswer) -> Document:
         name="calibrate-ball",
         title=f"{name}, like {answer.question.like}",
         kind="Calibration of a ball",
-        blocks=[Paragraph(_verdict(answer)), *_values(answer), *_bounces(answer)],
+        blocks=[Paragraph(_verdict(answer)), *_values(answer), *_bounces(answer), Paragraph(PLUS_MINUS, "note")],
         data=data,
         rows=as_columns(data["bounces"]),
         reader=reader_of(answer.like.sport),

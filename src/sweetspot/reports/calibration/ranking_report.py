@@ -16,8 +16,8 @@ from sweetspot.reports.sentences import Sentence, Slot, joined, say
 WORDS = {"mass": "weight", "balance_point": "balance", "moi": "swing weight", "modulus": "stiffness"}
 
 LAST_DIGIT = (
-    "A value without ± counts to one unit of its last digit, 1.4545 as 1.4545 ± 0.0001. Write 1.4545±0.003 where it is "
-    "less sure."
+    "A value without ± counts to one unit of its last digit, 1.4545 as 1.4545 ± 0.0001. Write 1.4545±0.003, one "
+    "standard deviation, where it is less sure."
 )
 
 

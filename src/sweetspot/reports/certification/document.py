@@ -38,7 +38,7 @@ from sweetspot.reports.document import (
     drawn,
     table_head,
 )
-from sweetspot.reports.sentences import Line, Sentence, Slot, Span, Words, joined, say, tell
+from sweetspot.reports.sentences import PLUS_MINUS, Line, Sentence, Slot, Span, Words, joined, say, tell
 from sweetspot.reports.uncertainty import chance_words, how_sure
 
 NORMALISED_NOTE = " The ball is the catalogue's; a test normalises to one."
@@ -101,6 +101,8 @@ def certificate_document(answer: CertifyAnswer) -> Document:
     if answer.checks:
         value = partial(_value, answer)
         blocks += [rules_table(each, value, sources=False) for each in [applying(answer.checks)] if each]
+        if answer.uncertainty is None and any(_doubted(answer, check) for check in applying(answer.checks)):
+            blocks.append(Paragraph(PLUS_MINUS, "note"))
         details += [rules_table(answer.checks, value), *listed(reasons(answer.checks))]
     picture = Picture(
         "certify",
@@ -336,6 +338,11 @@ def _estimate(name: Words, estimate: Estimate | SpeedEstimate, scale: str = "rat
         Slot(value, scale, digits).bare for value in (estimate.standard_error, estimate.low, estimate.high)
     )
     return [name, Slot(estimate.mean, scale, digits), error, say("{low} to {high}", low=low, high=high)]
+
+
+def _doubted(answer: CertifyAnswer, check: RuleCheck) -> bool:
+    """Return whether the value of a rule is a moment of inertia that was not measured."""
+    return check.quantity == "moi" and moi_doubt(answer.implement, answer.body, CLAMP) > 0
 
 
 def _value(answer: CertifyAnswer, check: RuleCheck) -> Sentence:
