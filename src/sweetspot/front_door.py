@@ -238,7 +238,9 @@ def _written(value: Any, name: str, kind: str, tool: Implement | None) -> Any:
         of = Owner() if tool is None else Owner(tool.length, tool.sport)
         with insisting():  # what is unusual is warned of
             value = number_of_text(value, name, kind, what=name, of=of)
-    return value if _is_a(value, "Measured") else _numbers(value, name, sport=tool.sport if tool else "", callers=3)
+    if _is_a(value, "Measured", "str"):
+        return value
+    return _numbers(value, name, sport=tool.sport if tool else "", callers=3)
 
 
 def _numbers_of(value: Any) -> Any:

@@ -11,6 +11,7 @@ from itertools import starmap
 from typing import TYPE_CHECKING
 
 from sweetspot import catalog
+from sweetspot.answers.places import PlaceName, position_of
 from sweetspot.answers.setups import AS_USUAL, HitSetup, Place, SwungWith, check_beyond_hands, round_bat
 from sweetspot.catalog.implements import Loaded
 from sweetspot.equipment.golf_club import GolfClub
@@ -86,14 +87,19 @@ def _report_question(implement: Loaded, setup: HitSetup, *, drawn: bool) -> tupl
 
 
 def hit(
-    implement: Loaded, *, at: Place, beside: float = 0.0, setup: HitSetup = AS_USUAL, uncertainty: bool = False
+    implement: Loaded,
+    *,
+    at: Place | PlaceName,
+    beside: float = 0.0,
+    setup: HitSetup = AS_USUAL,
+    uncertainty: bool = False,
 ) -> HitAnswer:
     """Return one collision: exit speed, q, BBCOR, contact time, peak force and where the energy goes.
 
     Parameters
     ----------
     implement : a bat or another implement, its name in the catalogue, or its file.
-    at : m from the knob end; as a text also from the tip, "6in-from-tip".
+    at : m from the knob end; as a text also from the tip, "6in-from-tip", or "sweet-spot", "barrel" or "tip".
     beside : m beside the middle line of a face; not for bats.
     uncertainty : whether every number gets its interval, with what that comes from.
 
@@ -109,10 +115,11 @@ def hit(
     from sweetspot.answers.hit import HitQuestion, hit_answer
 
     conditions, swung_with = setup.swung(implement.implement)
-    implement.implement.check_position(at, "at")
-    check_beyond_hands(at, conditions.hands.position)
+    place = position_of(at, implement.implement, conditions)
+    implement.implement.check_position(place, "at")
+    check_beyond_hands(place, conditions.hands.position)
     sources = setup.sources(implement, conditions) if uncertainty else None
-    answer = hit_answer(HitQuestion(implement.implement, conditions, at, beside, sources))
+    answer = hit_answer(HitQuestion(implement.implement, conditions, place, beside, sources))
     return replace(answer, swung_with=swung_with)
 
 

@@ -87,7 +87,8 @@ def play(
     conditions, swung_with = setup.swung(described)
     model = reduced_bat(described, ball=conditions.ball).held(conditions.hands)
     check_conditions(model, conditions)
-    check_beyond_hands(contact.position(described), conditions.hands.position)
+    met = contact.contact(described, conditions)
+    check_beyond_hands(met.position, conditions.hands.position)
     ball = setup.ball or catalog.sport(described.sport).balls[0]
     flying = replace(weather.through(ball), ball=conditions.ball)
     sources = None
@@ -95,7 +96,7 @@ def play(
         sources = play_sources(
             setup.sources(bat, conditions),
             flying.aerodynamics,
-            place_error=error_of(contact.at),
+            place_error=0.0 if isinstance(contact.at, str) else error_of(contact.at),
             offset_error=error_of(contact.offset),
         )
     question = PlayQuestion(
@@ -104,7 +105,7 @@ def play(
         flying,
         path=path.path,
         pitch=arrival.at_plate(conditions.pitch.speed, flying),
-        contact=contact.contact(described),
+        contact=met,
         park=weather.field,
         outdoors=catalog.aerodynamics_of_ball(ball),
         sources=sources,

@@ -13,6 +13,7 @@ from typing import Annotated, Literal, NamedTuple
 
 from sweetspot import catalog
 from sweetspot.analysis.comparison import ChangedBat
+from sweetspot.answers.places import PlaceName, place_name, position_of
 from sweetspot.answers.records import INTERNAL, Speed
 from sweetspot.calibration.calibrated_file import known_deviations
 from sweetspot.calibration.measured import SEPARATOR, Measured, parse_measured
@@ -200,20 +201,18 @@ class ContactSetup:
 
     Parameters
     ----------
-    at : m from the knob end; None: 6 in from the tip.
+    at : m from the knob end, or "sweet-spot", "barrel" or "tip"; None: 6 in from the tip.
     offset : m by which the bat is under the ball's centre, square to its path; negative: over it.
     """
 
-    at: ExactPlace | None = None
+    at: ExactPlace | PlaceName | None = None
     offset: Exact = 0.6 * INCH
 
-    def position(self, implement: Implement) -> float:
-        """Return the contact position along an implement, m from the knob end."""
-        return implement.length - 6 * INCH if self.at is None else value_of(self.at)
-
-    def contact(self, implement: Implement) -> Contact:
+    def contact(self, implement: Implement, conditions: Conditions) -> Contact:
         """Return the contact of ball and implement."""
-        return Contact(self.position(implement), value_of(self.offset))
+        usual = implement.length - 6 * INCH
+        at = self.at if isinstance(self.at, str) else usual if self.at is None else value_of(self.at)
+        return Contact(position_of(at, implement, conditions), value_of(self.offset))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -308,8 +307,8 @@ def number_of_text(
     of: Owner = ANYONE,
     quantity: str = "",
     errors: bool = True,
-) -> Written:
-    """Return the number that a text gives, SI.
+) -> Written | PlaceName:
+    """Return the number that a text gives, SI, or the name of a place.
 
     Parameters
     ----------
@@ -324,6 +323,8 @@ def number_of_text(
     alone = SEPARATOR.split(text, maxsplit=1)[0]
     if name == "pitch_speed" and text.strip().lower() == TEE:
         return 0.0
+    if "PlaceName" in annotation and (named := place_name(text)):
+        return named
     if "Place" in annotation:
         place = parse_position(alone if "Exact" in annotation else text, length=of.length, what=what)
         return _with_error(place, error_behind(text, kind, what) if errors and "Exact" in annotation else 0.0)

@@ -33,8 +33,8 @@ class WeighedOptions:
     mass: Annotated[
         str | None,
         Parameter(
-            help="Weight: 31.2oz, or 31.2oz±0.05oz, one standard deviation. Without ± the last digit counts, and no less than 1 g, 0.5 mm of "
-            "balance, 2 ms of a swing, 0.3 Hz."
+            help="Weight: 31.2oz, or 31.2oz±0.05oz, one standard deviation. Without ± the last digit counts, and no "
+            "less than 1 g, 0.5 mm of balance, 2 ms of a swing, 0.3 Hz."
         ),
     ] = None
     balance_point: Annotated[str | None, Parameter(help="From the knob end: 22.4in±0.1in.")] = None

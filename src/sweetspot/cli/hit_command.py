@@ -7,7 +7,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from sweetspot.cli.options.output import DEFAULT_OUTPUT, OutputOptions
-from sweetspot.cli.options.reading import Uncertainty, place_of
+from sweetspot.cli.options.reading import Uncertainty
 from sweetspot.cli.options.swing import DEFAULT_SWING, SwingOptions
 
 
@@ -23,17 +23,18 @@ def hit(
 ) -> int:
     """Compute one collision: exit speed, q, BBCOR, contact time, peak force and where the energy goes."""
     from sweetspot.answers.ask_bat import hit as asked
+    from sweetspot.answers.setups import Owner, number_of_text
     from sweetspot.catalog.implements import loaded_implement
     from sweetspot.cli.output import present
     from sweetspot.plausibility import parse
 
     loaded = loaded_implement(bat)
-    setup = swing.setup(loaded.implement, errors=uncertainty)
+    implement = loaded.implement
     answer = asked(
         loaded,
-        at=place_of(at, setup, loaded.implement, what="--at"),
+        at=number_of_text(at, "at", "Place | PlaceName", what="--at", of=Owner(implement.length, implement.sport)),
         beside=0.0 if beside is None else parse(beside, "length", "--beside"),
-        setup=setup,
+        setup=swing.setup(implement, errors=uncertainty),
         uncertainty=uncertainty,
     )
     return present(answer, output)

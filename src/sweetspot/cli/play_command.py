@@ -56,7 +56,7 @@ class MeetingOptions:
     """Where bat and ball meet."""
 
     at: Annotated[
-        str, Parameter(help="Where the ball meets the bat: 27in, 6in-from-tip; with an error 6in-from-tip±0.5in.")
+        str, Parameter(help="Where the ball meets the bat: 27in, 6in-from-tip±0.5in, or sweet-spot, barrel, tip.")
     ] = "6in-from-tip"
     offset: Annotated[
         str, Parameter(help="How far the bat is under the ball's centre, square to its path; negative: over it.")

@@ -11,8 +11,7 @@ from cyclopts import Parameter
 from sweetspot.errors import InputError
 
 if TYPE_CHECKING:
-    from sweetspot.answers.setups import HitSetup, Owner
-    from sweetspot.equipment.implement import Implement
+    from sweetspot.answers.setups import Owner
     from sweetspot.tables.headings import GivenColumns
     from sweetspot.units import Kind
 
@@ -28,45 +27,6 @@ def option(name: str) -> str:
     '--bat-speed-at'
     """
     return f"--{name.replace('_', '-')}"
-
-
-TIP, BARREL, BEST = "tip", "barrel", "sweet-spot"
-"""Places by name: 1 in from the tip, the middle of what is almost as thick as the barrel, the fastest place."""
-END = 0.0254
-"""m from the tip at which a ball is still hit whole [our choice]."""
-
-
-def place_of(text: str, setup: HitSetup, implement: Implement, *, what: str) -> float:
-    """Return a place in m from the knob end: a size with its unit, or a name."""
-    from sweetspot.plausibility import parse_position
-
-    name = text.strip().lower().replace("_", "-").replace(" ", "-")
-    if name == TIP:
-        return implement.length - END
-    if name in (BEST, "sweetspot"):
-        from sweetspot.analysis.bat_analysis import analyse
-
-        return float(analyse(implement, setup.conditions(implement)).sweet_spots.max_exit_speed)
-    if name == BARREL:
-        return _barrel(implement, what)
-    return parse_position(text, length=implement.length, what=what)
-
-
-THICK = 0.98
-"""Part of the greatest diameter from which on a bat counts as barrel [our choice]."""
-
-
-def _barrel(implement: Implement, what: str) -> float:
-    """Return the middle of a bat's barrel in m from the knob end."""
-    import numpy as np
-
-    from sweetspot.equipment.bat import Bat
-
-    if not isinstance(implement, Bat):
-        raise InputError(f"{what} was given as barrel, which bats alone have; write a place, or sweet-spot")
-    places = np.linspace(0.0, implement.length, 400)
-    diameters = implement.diameter_at(places)
-    return float(places[diameters >= THICK * diameters.max()].mean())
 
 
 def read(
