@@ -228,7 +228,7 @@ def _as_list(value: Any) -> tuple[Any, ...]:
 
 def _written(value: Any, name: str, kind: str, tool: Implement | None) -> Any:
     """Return the number of a setup's field in SI, with its error if one was given; a tuple for several."""
-    from sweetspot.answers.setups import Owner, number_of_text
+    from sweetspot.answers.setups import Owner, value_of_text
 
     if value is None or _is_a(value, "Measured"):
         return value
@@ -237,7 +237,7 @@ def _written(value: Any, name: str, kind: str, tool: Implement | None) -> Any:
     if isinstance(value, str):
         of = Owner() if tool is None else Owner(tool.length, tool.sport)
         with insisting():  # what is unusual is warned of
-            value = number_of_text(value, name, kind, what=name, of=of)
+            value = value_of_text(value, name, kind, what=name, of=of)
     if _is_a(value, "Measured", "str"):
         return value
     return _numbers(value, name, sport=tool.sport if tool else "", callers=3)

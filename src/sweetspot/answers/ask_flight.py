@@ -27,8 +27,10 @@ from sweetspot.answers.setups import (
     check_beyond_hands,
     error_of,
     round_bat,
+    value_of,
 )
 from sweetspot.catalog.implements import Loaded
+from sweetspot.collision.hit_in_space import Contact
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.units import MPH
@@ -87,8 +89,8 @@ def play(
     conditions, swung_with = setup.swung(described)
     model = reduced_bat(described, ball=conditions.ball).held(conditions.hands)
     check_conditions(model, conditions)
-    met = contact.contact(described, conditions)
-    check_beyond_hands(met.position, conditions.hands.position)
+    place = contact.position(described, conditions)
+    check_beyond_hands(place, conditions.hands.position)
     ball = setup.ball or catalog.sport(described.sport).balls[0]
     flying = replace(weather.through(ball), ball=conditions.ball)
     sources = None
@@ -105,7 +107,7 @@ def play(
         flying,
         path=path.path,
         pitch=arrival.at_plate(conditions.pitch.speed, flying),
-        contact=met,
+        contact=Contact(place, value_of(contact.offset)),
         park=weather.field,
         outdoors=catalog.aerodynamics_of_ball(ball),
         sources=sources,

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import warnings
 from dataclasses import dataclass
-from typing import Annotated, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple
 
 from sweetspot import catalog
 from sweetspot.analysis.comparison import ChangedBat
@@ -20,7 +20,6 @@ from sweetspot.calibration.measured import SEPARATOR, Measured, parse_measured
 from sweetspot.catalog.implements import Loaded
 from sweetspot.catalog.records import canonical
 from sweetspot.catalog.standard_hit import standard_conditions
-from sweetspot.collision.hit_in_space import Contact
 from sweetspot.dynamics.block import FLOOR_MODULUS, Block, Support
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
@@ -208,11 +207,11 @@ class ContactSetup:
     at: ExactPlace | PlaceName | None = None
     offset: Exact = 0.6 * INCH
 
-    def contact(self, implement: Implement, conditions: Conditions) -> Contact:
-        """Return the contact of ball and implement."""
+    def position(self, implement: Implement, conditions: Conditions) -> float:
+        """Return the contact position along an implement, m from the knob end."""
         usual = implement.length - 6 * INCH
         at = self.at if isinstance(self.at, str) else usual if self.at is None else value_of(self.at)
-        return Contact(position_of(at, implement, conditions), value_of(self.offset))
+        return position_of(at, implement, conditions)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -307,8 +306,8 @@ def number_of_text(
     of: Owner = ANYONE,
     quantity: str = "",
     errors: bool = True,
-) -> Written | PlaceName:
-    """Return the number that a text gives, SI, or the name of a place.
+) -> Written:
+    """Return the number that a text gives, SI.
 
     Parameters
     ----------
@@ -323,8 +322,6 @@ def number_of_text(
     alone = SEPARATOR.split(text, maxsplit=1)[0]
     if name == "pitch_speed" and text.strip().lower() == TEE:
         return 0.0
-    if "PlaceName" in annotation and (named := place_name(text)):
-        return named
     if "Place" in annotation:
         place = parse_position(alone if "Exact" in annotation else text, length=of.length, what=what)
         return _with_error(place, error_behind(text, kind, what) if errors and "Exact" in annotation else 0.0)
@@ -339,6 +336,12 @@ def number_of_text(
     return _with_error(
         value, error_behind(text, kind, what) if "Exact" in annotation else parse_measured(text, kind, what).error
     )
+
+
+def value_of_text(text: str, name: str, annotation: str, **further: Any) -> Written | PlaceName:
+    """Return the name of a place where its annotation allows one, else what `number_of_text` does."""
+    named = place_name(text) if "PlaceName" in annotation else None
+    return named or number_of_text(text, name, annotation, **further)
 
 
 def _with_error(value: float, error: float) -> Written:

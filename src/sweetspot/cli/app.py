@@ -51,7 +51,7 @@ CATALOGUE: Mapping[str, tuple[str, ...]] = {
     "bats": ("bats", "bats --csv"),
     "materials": ("materials", "materials white-ash"),
     "show": ("show r161-ash --out my-bat.toml",),
-    "schema": ("schema racket",),
+    "schema": ("schema racket", "schema hit"),
     "validate": (
         "validate",
         "validate --sealed questions.csv --out ours",

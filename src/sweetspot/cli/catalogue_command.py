@@ -65,11 +65,16 @@ def materials(
 
 def schema(
     kind: Annotated[
-        str, Parameter(help="bat, ball, racket, cricket-bat, golf-club, hockey-stick or table-tennis-racket.")
+        str,
+        Parameter(
+            help="A file: bat, ball, racket, cricket-bat, golf-club, hockey-stick or table-tennis-racket; or an "
+            "answer: report, hit, play, ..."
+        ),
     ] = "bat",
     /,
 ) -> None:
-    """Print the JSON schema of a file that describes a bat, ball, racket, club or stick."""
+    """Print the JSON schema of a file that describes a bat, ball, racket, club or stick, or of a command's answer."""
+    from sweetspot.answers.schema import answer_schema, answer_types
     from sweetspot.catalog.files.ball import BallFile
     from sweetspot.catalog.files.implement import FILES
     from sweetspot.catalog.files.tables import FileTable
@@ -77,9 +82,10 @@ def schema(
     from sweetspot.errors import nearest_names
 
     files: dict[str, type[FileTable]] = {**FILES, "ball": BallFile}
-    if kind not in files:
-        raise InputError(f"kind {kind!r} is not known. {nearest_names(kind, sorted(files))}")
-    print_json(files[kind].model_json_schema())
+    answers = answer_types()
+    if kind not in {**files, **answers}:
+        raise InputError(f"kind {kind!r} is not known. {nearest_names(kind, sorted({**files, **answers}))}")
+    print_json(files[kind].model_json_schema() if kind in files else answer_schema(answers[kind]))
 
 
 def validate(

@@ -23,16 +23,16 @@ def hit(
 ) -> int:
     """Compute one collision: exit speed, q, BBCOR, contact time, peak force and where the energy goes."""
     from sweetspot.answers.ask_bat import hit as asked
-    from sweetspot.answers.setups import Owner, number_of_text
+    from sweetspot.answers.places import place_name
     from sweetspot.catalog.implements import loaded_implement
     from sweetspot.cli.output import present
-    from sweetspot.plausibility import parse
+    from sweetspot.plausibility import parse, parse_position
 
     loaded = loaded_implement(bat)
     implement = loaded.implement
     answer = asked(
         loaded,
-        at=number_of_text(at, "at", "Place | PlaceName", what="--at", of=Owner(implement.length, implement.sport)),
+        at=place_name(at) or parse_position(at, length=implement.length, what="--at"),
         beside=0.0 if beside is None else parse(beside, "length", "--beside"),
         setup=swing.setup(implement, errors=uncertainty),
         uncertainty=uncertainty,

@@ -45,7 +45,7 @@ def read(
     errors : whether what is written behind ± counts.
     quantities : by field, in the table of bounds, where that is not the field's name.
     """
-    from sweetspot.answers.setups import Owner, number_of_text
+    from sweetspot.answers.setups import Owner, value_of_text
     from sweetspot.units.quantities import KIND_OF
 
     typed: dict[str, object] = {}
@@ -69,7 +69,7 @@ def read(
 
         def number(text: str, name: str = name, annotation: str = str(field.type)) -> Any:
             quantity = quantities.get(name, "")
-            return number_of_text(text, name, annotation, what=option(name), of=owner, quantity=quantity, errors=errors)
+            return value_of_text(text, name, annotation, what=option(name), of=owner, quantity=quantity, errors=errors)
 
         found[name] = number(given) if isinstance(given, str) else tuple(map(number, given))
     return setup(**found)
