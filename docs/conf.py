@@ -8,6 +8,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from sphinx.util.logging import getLogger
+
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 sys.path[:0] = [str(HERE), str(HERE / "_ext"), str(ROOT / "src")]
@@ -21,6 +23,7 @@ version = release = PACKAGE["version"]
 
 extensions = [
     "myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx_gallery.gen_gallery", "docstrings", "mathtext",
+    "spellings",
 ]  # fmt: skip
 exclude_patterns = ["notebooks", "_build", "_generated", "Thumbs.db", ".DS_Store"]
 default_role = "code"
@@ -70,6 +73,15 @@ def generate(app: Any) -> None:
     app.config.myst_substitutions = import_module("generate").generate_all(HERE / "_generated")
 
 
+def check_api(_app: Any, env: Any) -> None:
+    """Warn of a public name that other documentation could not refer to as ``sweetspot.NAME``."""
+    known = {found[0] for found in env.domains["py"].get_objects()}
+    for name in import_module("sweetspot").__all__:
+        if f"sweetspot.{name}" not in known:
+            getLogger(__name__).warning("docs/api.md lacks sweetspot.%s", name)
+
+
 def setup(app: Any) -> None:
     """Connect the generator."""
     app.connect("builder-inited", generate, priority=100)  # before MyST reads its configuration
+    app.connect("env-check-consistency", check_api)

@@ -15,6 +15,7 @@ import tables
 from cases import analysed
 from facts import facts
 from figures import (
+    architecture,
     axes,
     ball,
     calibration,
@@ -43,6 +44,7 @@ def figures() -> dict[str, Callable[[], Figure]]:
     """Return every figure by the name of its file."""
     return {
         "flagship": lambda: report_figure(report_of(analysed())),
+        "architecture": architecture.architecture_figure,
         "axes": axes.axes_figure,
         "sweet_spots": spots.sweet_spots_figure,
         "modes": spots.modes_figure,

@@ -16,6 +16,7 @@ DOCS = Path(__file__).parents[1] / "docs"
 PAGES = sorted(path for path in DOCS.rglob("*.md") if not {"_build", "_generated"} & set(path.relative_to(DOCS).parts))
 TUTORIALS = Path(__file__).parent / "tutorials"
 """A folder of files for each page of docs/users with a tutorial; `tools/tutorial_files.py` made them."""
+WITH_TUTORIAL = sorted(path.name for path in TUTORIALS.iterdir() if path.is_dir())
 TUTORIAL = re.compile(r"^## From beginning to end$.*?(?=^## )", re.MULTILINE | re.DOTALL)
 LEFT_OUT = "..."
 """Line of a printed answer in whose place others stand."""

@@ -26,6 +26,7 @@ from tests.documented import (
     NEEDS_ONE_S_OWN,
     PAGES,
     TUTORIALS,
+    WITH_TUTORIAL,
     arguments,
     blocks,
     command_lines,
@@ -99,7 +100,7 @@ TUTORIAL_CODES = {"certify tested.toml --shots shots.csv": 1, "certify tested.to
 """Of lines of tutorials that end otherwise than with 0: the laboratory's bat breaks a rule."""
 
 
-@pytest.mark.parametrize("name", ["coach", "maker", "laboratory", "measuring_day"])
+@pytest.mark.parametrize("name", WITH_TUTORIAL)
 def test_a_tutorial_from_beginning_to_end(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -120,12 +121,12 @@ def test_a_tutorial_from_beginning_to_end(
             place = answer.index(words, place) + len(words)
 
 
-@pytest.mark.parametrize("name", ["coach", "maker", "laboratory", "measuring_day"])
+@pytest.mark.parametrize("name", WITH_TUTORIAL)
 def test_a_tutorial_shows_its_tables_as_they_are(name: str) -> None:
     text = (DOCS / "users" / f"{name}.md").read_text(encoding="utf-8")
     shown = re.findall(r"^```text\n(.*?)```", text, re.MULTILINE | re.DOTALL)
     tables = [path.read_text(encoding="utf-8") for path in TUTORIALS.joinpath(name).glob("*.csv")]
-    assert name == "maker" or any(table.startswith(rows) for rows in shown for table in tables)
+    assert not tables or any(table.startswith(rows) for rows in shown for table in tables)
 
 
 @pytest.mark.parametrize("line", sorted({one for page in PAGES for one in command_lines(page) if is_parsed_only(one)}))
@@ -182,3 +183,30 @@ def test_keys_of_sources_are_links(page: Path) -> None:
     bare = re.findall(r"\[([a-z][a-z0-9_]*(?:[,;] [^\]]*)?)\](?!\()", page.read_text(encoding="utf-8"))
     known = set(references.keys())
     assert not [text for text in bare if known & set(re.split(r"[;, ]+", text))]
+
+
+def test_every_public_name_is_on_the_page_of_the_api() -> None:
+    """Once, under the name that programs import; `docs/conf.py` looks whether the built inventory has it."""
+    text = (DOCS / "api.md").read_text(encoding="utf-8")
+    named = re.findall(r"^\.\. auto(?:function|class|module):: sweetspot\.(\w+)$", text, re.MULTILINE)
+    assert sorted(named) == sorted(sweetspot.__all__)
+
+
+def test_pages_are_found_in_both_spellings(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(DOCS / "_ext")
+    from spellings import other_spellings  # type: ignore[import-not-found]
+
+    assert other_spellings("An aluminum bat's center, two meters long") == ["aluminium", "centre", "metre"]
+    assert other_spellings("The catalogue of colours") == ["catalog", "color"]
+    assert not other_spellings("A bat")
+
+
+def test_the_picture_of_the_house_has_every_layer(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is drawn from the imports, and none goes from a lower layer to an upper one."""
+    monkeypatch.syspath_prepend(DOCS)
+    from imports import arrows, layers  # type: ignore[import-not-found]
+
+    rank = {name: number for number, row in enumerate(layers()) for name in row}
+    found = arrows()
+    assert len(found) > 100 and {name for pair in found for name in pair} == set(rank)
+    assert [pair for pair in found if rank[pair[0]] > rank[pair[1]]] == []

@@ -13,8 +13,8 @@ from sweetspot.analysis.certification.shots import COR_SPEED
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.units import INCH, MPH
-from tests.documented import BLOCK, DOCS, TUTORIAL, TUTORIALS, arguments, tutorial
-from tools.tutorial_files import CAGE, DAY_SEED, MET, SCATTER, in_the_cage, off
+from tests.documented import BLOCK, DOCS, TUTORIAL, TUTORIALS, WITH_TUTORIAL, arguments, tutorial
+from tools.tutorial_files import CAGE, DAY_SEED, MET, METAL_PART, METAL_SEED, SCATTER, in_the_cage, off
 
 NUMBER = re.compile(r"(?<![\w.])\d+(?:,\d{3})*(?:\.\d+)?")
 STEP = re.compile(r"^\*\*\d+\. ", re.MULTILINE)
@@ -30,6 +30,8 @@ def facts(name: str) -> set[str]:
     if name == "maker":  # turned from the same wood, which has the same spreads under any drawing
         truth = off(catalog.bat("mlb-c"), 5)
         return {AXIS, *(truth[one].lstrip("-").rstrip("%") for one in ("modulus", "shear_modulus", "density"))}
+    if name == "metal_bat":
+        return {AXIS, off(catalog.bat("college-alloy"), METAL_SEED, by=METAL_PART)["wall"].lstrip("+").rstrip("%")}
     if name == "measuring_day":
         model = catalog.bat(str(TUTORIALS / name / "designed.toml"))
         truth = off(model, DAY_SEED + 4, by=0.7)
@@ -38,7 +40,7 @@ def facts(name: str) -> set[str]:
     return {off(catalog.bat("college-alloy"), 9, by=0.7)["wall"].lstrip("-").rstrip("%"), f"{COR_SPEED / MPH:.0f}"}
 
 
-@pytest.mark.parametrize("name", ["coach", "maker", "laboratory", "measuring_day"])
+@pytest.mark.parametrize("name", WITH_TUTORIAL)
 def test_every_number_is_a_printed_one_or_the_made_up_truth(name: str) -> None:
     """Command lines and answers are run and compared in test_docs.py."""
     found = TUTORIAL.search((DOCS / "users" / f"{name}.md").read_text(encoding="utf-8"))

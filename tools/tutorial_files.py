@@ -42,6 +42,8 @@ MET, SCATTER = 6.3, 1.6
 """Where the made-up player meets the ball, in from the tip, and its standard deviation."""
 SHEAR_SPREAD = 0.2
 """By which shear moduli of made-up billets differ, one sigma: less than is supposed of wood in general."""
+METAL_SEED, METAL_PART = 33, 0.6
+"""Which made-up metal bat, and what part of the spreads between bats of one model it has."""
 RATE = 16_000.0
 """Samples per s of the recording: a bat's first five modes end below 3 kHz."""
 
@@ -127,15 +129,29 @@ def write_maker(folder: Path) -> None:
     mass, balance, period = measured(turned, BODY, 105)
     print(f"turned: {mass / OUNCE:.2f} oz, {balance / INCH:.2f} in, {period:.4f} s")
     print("turned, off: ", off(bat, 5))
-    modes = all_modes(turned, catalog.ball())
-    place = bat.length - 1 * INCH
-    one = tap_sound(modes, position=place, listened=place, seconds=0.9, rate=RATE)
+    write_taps(folder / "turned.flac", turned, 5)
+
+
+def write_taps(path: Path, beam: BeamModel, seed: int) -> None:
+    """Write the sound of four taps 1 in from the tip of a hanging bat."""
+    place = beam.bat.length - 1 * INCH
+    one = tap_sound(all_modes(beam, catalog.ball()), position=place, listened=place, seconds=0.9, rate=RATE)
     one = LOUDNESS * one / np.abs(one).max()
-    generator = np.random.default_rng(5)
+    generator = np.random.default_rng(seed)
     quiet = np.zeros(round(0.3 * RATE))
     sound = np.concatenate([quiet, *(part * one for part in generator.uniform(0.6, 1.0, 4))])
     sound += 0.001 * generator.standard_normal(len(sound))
-    (folder / "turned.flac").write_bytes(recording_bytes(Recording("turned", sound, RATE), folder / "turned.flac"))
+    path.write_bytes(recording_bytes(Recording(path.stem, sound, RATE), path))
+
+
+def write_metal_bat(folder: Path) -> None:
+    """Write the sound of a metal bat like the catalogue's, and print what scale and string say of it."""
+    bat = catalog.bat("college-alloy")
+    own = differing(bat, METAL_SEED, by=METAL_PART)
+    mass, balance, period = measured(own, BODY, 100 + METAL_SEED)
+    print(f"own metal bat: {mass / OUNCE:.2f} oz, {balance / INCH:.2f} in, {period:.4f} s")
+    print("own metal bat, off: ", off(bat, METAL_SEED, by=METAL_PART))
+    write_taps(folder / "taps.flac", own, METAL_SEED)
 
 
 def write_laboratory(folder: Path) -> None:
@@ -215,6 +231,7 @@ def main() -> None:
         "maker": write_maker,
         "laboratory": write_laboratory,
         "measuring_day": write_measuring_day,
+        "metal_bat": write_metal_bat,
     }
     for name, write in folders.items():
         (FOLDER / name).mkdir(parents=True, exist_ok=True)

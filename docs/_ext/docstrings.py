@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from importlib import import_module
+from types import FunctionType
 from typing import Any
 
 from sphinx.application import Sphinx
@@ -49,8 +50,17 @@ def process(*event: Any) -> None:
     lines[:] = [line if ">>>" in line else linked(line.replace("|", r"\|"), keys) for line in for_napoleon(lines)]
 
 
+def show_own_signatures() -> None:
+    """Let autodoc show the signature of each public function, and not look for its defaults in what it wraps."""
+    package = import_module("sweetspot")
+    for thing in (getattr(package, name) for name in package.__all__):
+        if isinstance(thing, FunctionType):
+            vars(thing).pop("__wrapped__", None)
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     """Listen to autodoc."""
+    show_own_signatures()
     app.connect("autodoc-process-docstring", process, priority=400)  # napoleon listens at 500
     TypeAliasForwardRef.__repr__ = lambda alias: alias.name  # the names of our arrays, as the source writes them
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}
