@@ -174,8 +174,8 @@ class _Definitions:
             return
         if CalibratedValue in kinds:
             inner = {each.key: each.schema for each in self._fields(name, Measured, (), dimension, absent=False)}
-            told = {"kind": {"type": "string"}, **inner}
-            table = {"type": "object", "properties": told, "required": list(told)}
+            entries = {"kind": {"type": "string"}, **inner}
+            table = {"type": "object", "properties": entries, "required": list(entries)}
             yield Field(name, not absent, {"anyOf": [table, PLAIN[type(None)]]} if type(None) in members else table)
             return
         plain = [self.of(member, marks) for member in members if member is not Measured]
