@@ -60,7 +60,7 @@ def test_a_frame_has_a_row_for_every_bat(answer: FitPlayerAnswer) -> None:
 
 
 def test_a_notebook_shows_the_training_report(answer: FitPlayerAnswer) -> None:
-    assert "Which bat?" in answer._repr_html_() and answer.plot().axes
+    assert "What to train" in answer._repr_html_() and answer.plot().axes
 
 
 def test_a_team_is_a_row_a_batter(file: Path) -> None:

@@ -11,17 +11,17 @@ from sweetspot import catalog
 from sweetspot.catalog.aerodynamic_laws import aerodynamics
 from sweetspot.equipment.bat import Bat
 from sweetspot.flight.air import Air
-from sweetspot.numerics.interval import Interval
+from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.player.advice import Advice, advise
 from sweetspot.player.bat_pairs import MeasuredBat
 from sweetspot.player.best_bat import bat_choice
-from sweetspot.player.expected_gain import expectation
+from sweetspot.player.expected_gain import Expectation, expectation
 from sweetspot.player.goal import Goal
 from sweetspot.player.model import player_model
 from sweetspot.player.posterior import fit_player
 from sweetspot.player.prior import NAMES, fixed, natural
 from sweetspot.player.simulate import simulated_swings
-from sweetspot.player.unlike_bats import beyond_own, livelier
+from sweetspot.player.unlike_bats import liveliness
 from sweetspot.reports.player.decision import lead_paragraphs
 from sweetspot.reports.quantities import US
 from sweetspot.reports.sentences import read
@@ -95,26 +95,39 @@ def test_two_bats_tell_players_apart() -> None:
     assert strong.change.low > weak.change.high
 
 
+def measured_means(asked: Expectation, difference: float, error: float) -> list[MeasuredBat]:
+    """Return own and heavy bat measured, the heavy one's mean exit speed that much greater."""
+    half = REACH * error
+    means = [Interval(value, value - half, value + half) for value in (40.0, 40.0 + difference)]
+    return [MeasuredBat(table.bat, 9, None, mean) for table, mean in zip(asked.model.bats, means, strict=True)]
+
+
 def test_a_measured_difference_tells_how_lively_a_bat_is() -> None:
     """Exact: measured without error, the model's expectation becomes what was measured; not at all, it stays."""
     asked = expectation(advice_of(bats=2, count=20).posterior, goal=Goal(), pitch_speed=PITCH, carries=None, seed=1)
     own, other = asked.model.bats
     expected = asked.of(other) - asked.of(own)
     for difference in (-3.0 * MPH, 2.0 * MPH):
-        measured = Interval(difference, difference - 1e-9, difference + 1e-9)
-        found = livelier(asked, other, measured=measured, name=HEAVY.name)
+        found = liveliness(asked, measured_means(asked, difference, 1e-9)).of(HEAVY.name)
         # a ball met off the best place or the axis shows a part of a bat's liveliness only
         more = asked.of(other, livelier=found) - asked.of(own)
         assert np.mean((more - expected) / (difference - expected)) == pytest.approx(0.9, abs=0.1)
-    nothing = Interval(5.0, -1e6, 1e6)
-    known, unknown = (livelier(asked, other, measured=one, name="a") for one in (nothing, None))
+    known, unknown = (liveliness(asked, swung).of(HEAVY.name) for swung in (measured_means(asked, 5.0, 1e6), ()))
     assert known == pytest.approx(unknown, abs=1e-6)
     assert float(np.std(unknown)) == pytest.approx(2**0.5 * fixed("bat_description"), rel=0.2)
 
 
-def test_only_bats_measured_beside_the_own_have_a_difference() -> None:
-    fast, slow = Interval(41.0, 40.0, 42.0), Interval(40.0, 39.0, 41.0)
-    swung = [MeasuredBat(OWN, 9, None, slow), MeasuredBat(HEAVY, 9, None, fast)]
-    (more,) = beyond_own(swung, OWN).values()
-    assert more.value == pytest.approx(1.0) and more.high - more.value == pytest.approx(2**0.5)
-    assert beyond_own(swung[1:], OWN) == {}
+def test_the_own_bat_is_one_of_several() -> None:
+    """Two bats that were never swung differ from the own one alike, for the own one may be dead: r is a half."""
+    asked = expectation(advice_of(bats=2, count=20).posterior, goal=Goal(), pitch_speed=PITCH, carries=None, seed=1)
+    found = liveliness(asked)
+    assert np.corrcoef(found.of("a"), found.of("b"))[0, 1] == pytest.approx(0.5, abs=0.15)
+    # a heavy bat that gave much more says that the own one is dead, and so that others are livelier beside it
+    surprise = liveliness(asked, measured_means(asked, 5.0, 0.05))
+    gain = np.mean(surprise.of(HEAVY.name) - found.of(HEAVY.name))
+    assert np.mean(surprise.of("a") - found.of("a")) == pytest.approx(gain / 2, rel=0.05)
+
+
+def test_without_the_own_bat_measured_nothing_is_learned() -> None:
+    asked = expectation(advice_of(bats=2, count=20).posterior, goal=Goal(), pitch_speed=PITCH, carries=None, seed=1)
+    assert liveliness(asked, measured_means(asked, 5.0, 0.05)[1:]).beside == {}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from statistics import median
 
@@ -24,7 +24,7 @@ from sweetspot.player.goal import Goal, carry_table
 from sweetspot.player.posterior import NOTHING_LEARNED, PlayerPosterior, interval
 from sweetspot.player.prior import NAMES
 from sweetspot.player.standing import PlayerStanding, player_standing
-from sweetspot.player.unlike_bats import beyond_own, livelier
+from sweetspot.player.unlike_bats import Liveliness, liveliness
 from sweetspot.units import INCH, MPH
 
 PLACES = np.arange(2.0, 11.01, 0.5) * INCH
@@ -213,7 +213,8 @@ def advise(
     reference = model.bats[0]
     now = asked.of(reference)
     swung = measured_bats(model)
-    beside = _Asked(asked, anybody, now, anybody.of(reference), beyond_own(swung, reference.bat))
+    lively, usually_lively = liveliness(asked, swung), liveliness(anybody)
+    beside = _Asked(asked, anybody, now, anybody.of(reference), lively, usually_lively)
     tried, not_read = candidates(reference.bat, others, swung=[table.bat for table in model.bats[1:]])
     options, with_key, not_met = _tried(beside, tried, progress)
     by_key = {f"bat:{reference.bat.name}": (now, beside.usual_now), **with_key}
@@ -249,15 +250,15 @@ def advise(
 class _Asked:
     """A player and anybody, asked the same question; ``now``, ``usual_now``: their goal with the player's own bat.
 
-    ``measured``: of bats of the file by name, the mean exit speed beyond that with the player's own, m/s, see
-    `sweetspot.player.unlike_bats`.
+    ``lively``, ``usually_lively``: by how much bats differ from their descriptions, for the player and for anybody.
     """
 
     player: Expectation
     anybody: Expectation
     now: Array
     usual_now: Array
-    measured: Mapping[str, Interval]
+    lively: Liveliness
+    usually_lively: Liveliness
 
     def with_bat(self, candidate: Candidate, table: BatResponse) -> tuple[Array, Array]:
         """Return the goal expected with a bat over the draws of the player and of anybody.
@@ -267,8 +268,7 @@ class _Asked:
         if candidate.family not in ("swung", "catalogue"):
             return self.of(table)
         name = candidate.bat.name
-        of_player = livelier(self.player, table, measured=self.measured.get(name), name=name)
-        of_anybody = livelier(self.anybody, table, measured=None, name=name)
+        of_player, of_anybody = self.lively.of(name), self.usually_lively.of(name)
         return self.player.of(table, livelier=of_player), self.anybody.of(table, livelier=of_anybody)
 
     def of(self, table: BatResponse, change: Change = NO_CHANGE) -> tuple[Array, Array]:

@@ -1,51 +1,101 @@
 """Bats beside a player's own: a single bat is livelier or deader than its description, and swings with it show it.
 
-The fit has one liveliness for all bats of a file. Beside the player's own another bat's collision efficiency is off by
-delta, normal with the standard deviation sqrt(2) times `bat_description`. Where both were swung, the difference of mean
-exit speeds m, measured with the standard deviation s, tells delta: of a draw in which the model expects g and a
-difference in efficiency is worth V = pitch speed + bat speed,
+The fit has one liveliness for all bats of a file. Bat i's collision efficiency is off by s_i, normal with the standard
+deviation sigma, `bat_description`; beside the player's own, bat 0, by s_i - s_0, so that the own bat is as much one of
+several as the others are. Mean exit speeds m_i of bats that were swung tell: of a draw in which the model expects g_i
+beyond the own bat, and a difference in efficiency is worth V_i = pitch speed + bat speed,
 
-    delta | m  ~  normal(K (m - g) / V, (1 - K) sigma^2),    K = V^2 sigma^2 / (V^2 sigma^2 + s^2)
+    y_i = (m_i - m_0 - g_i) / V_i = s_i - s_0 + e_i,    cov(e_i, e_j) = (n_0^2 + n_i^2 [i = j]) / (V_i V_j)
+
+with n_i the standard error of m_i. Draws s of the prior and e of the errors become draws of the posterior by
+
+    s + K (y - H s - e),    K = sigma^2 H' (sigma^2 H H' + cov(e))^-1,    (H s)_i = s_i - s_0
 """
 
 from __future__ import annotations
 
-import math
 import zlib
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH, Interval
-from sweetspot.player.bat_pairs import MeasuredBat, difference
-from sweetspot.player.bat_response import BatResponse
+from sweetspot.player.bat_pairs import MeasuredBat
+from sweetspot.player.bat_response import response_of
 from sweetspot.player.expected_gain import Expectation
 from sweetspot.player.goal import Goal
 from sweetspot.player.prior import fixed
 
 
-def beyond_own(swung: Sequence[MeasuredBat], players_bat: Bat) -> Mapping[str, Interval]:
-    """Return the mean exit speed of every bat of a file beyond that with the player's own, where both were measured."""
-    mine = next((bat.exit_speed for bat in swung if bat.bat == players_bat), None)
-    beyond = {bat.bat.name: difference(bat.exit_speed, mine) for bat in swung if bat.bat != players_bat}
-    return {name: more for name, more in beyond.items() if more is not None}
+@dataclass(frozen=True)
+class Liveliness:
+    """By how much bats' efficiencies differ from their descriptions, arrays of one shape (draws,).
 
-
-def livelier(asked: Expectation, table: BatResponse, *, measured: Interval | None, name: str) -> Array:
-    """Return by how much a bat's efficiency differs from its description beside the player's own, shape (draws,).
-
-    ``measured``: m/s, its mean exit speed beyond that with the player's own; None: not measured. ``name``: of the bat;
-    the same name has the same random numbers.
+    ``players_bat``: of the player's own. ``beside``: of bats that were measured, by name, beyond the own one's.
     """
-    spread = math.sqrt(2) * fixed("bat_description")
-    normal = np.random.default_rng(zlib.crc32(name.encode())).standard_normal(len(asked.draws))
-    if measured is None:
-        return spread * normal
-    closing = asked.pitch_speed + asked.bat_speed(table)
-    fast = Expectation(asked.model, asked.draws, Goal(), asked.pitch_speed, None, asked.scatter)
-    expected = fast.of(table) - fast.of(asked.model.bats[0])
-    noise = (measured.high - measured.low) / (2 * REACH)
-    learned = (closing * spread) ** 2 / ((closing * spread) ** 2 + noise**2)
-    return learned * (measured.value - expected) / closing + np.sqrt(1 - learned) * spread * normal
+
+    players_bat: Array
+    beside: Mapping[str, Array]
+
+    def of(self, name: str) -> Array:
+        """Return by how much a bat's efficiency differs from its description beside the player's own."""
+        measured = self.beside.get(name)
+        return single_bat(name, len(self.players_bat)) - self.players_bat if measured is None else measured
+
+
+def single_bat(name: str, count: int) -> Array:
+    """Return draws of how much a bat's efficiency is off; the same name has the same random numbers."""
+    return fixed("bat_description") * even_normals(count, seed=zlib.crc32(name.encode()))
+
+
+def even_normals(count: int, *, seed: int) -> Array:
+    """Return standard normal numbers in random order, one of each of as many equally likely stretches [mckay1979].
+
+    Means over them scatter less than over independent ones, and so does the chance of a bat.
+
+    >>> even_normals(4, seed=3).round(2).tolist()
+    [1.15, 0.32, -0.32, -1.15]
+    """
+    from scipy.special import ndtri
+
+    return np.random.default_rng(seed).permutation(np.asarray(ndtri((np.arange(count) + 0.5) / count)))
+
+
+def liveliness(asked: Expectation, swung: Sequence[MeasuredBat] = ()) -> Liveliness:
+    """Return how lively the player's bats are, as far as their mean exit speeds tell.
+
+    ``swung``: with their means; none of anybody.
+    """
+    model, count = asked.model, len(asked.draws)
+    reference = model.bats[0]
+    players_bat = single_bat(reference.bat.name, count)
+    mine = next((bat.exit_speed for bat in swung if bat.bat == reference.bat), None)
+    others = [bat for bat in swung if bat.bat != reference.bat and bat.exit_speed is not None]
+    if mine is None or not others:
+        return Liveliness(players_bat, {})
+    fast = Expectation(model, asked.draws, Goal(), asked.pitch_speed, None, asked.scatter)
+    now = fast.of(reference)
+    beyond, closing = np.empty((count, len(others))), np.empty((count, len(others)))
+    noise = np.array([_error(mine), *(_error(bat.exit_speed) for bat in others if bat.exit_speed is not None)])
+    for place, bat in enumerate(others):
+        table = response_of(bat.bat, ball=model.ball, axis=model.law.axis, like=reference)
+        closing[:, place] = asked.pitch_speed + asked.bat_speed(table)
+        measured = (bat.exit_speed or mine).value - mine.value
+        beyond[:, place] = (measured - (fast.of(table) - now)) / closing[:, place]
+    single = np.stack([single_bat(bat.bat.name, count) for bat in others], axis=1)
+    errors = noise * np.stack([even_normals(count, seed=place) for place in range(len(noise))], axis=1)
+    off = beyond - (single - players_bat[:, None]) - (errors[:, 1:] - errors[:, :1]) / closing
+    variance = fixed("bat_description") ** 2
+    of_errors = (noise[0] ** 2 + np.diag(noise[1:] ** 2)) / (closing[:, :, None] * closing[:, None, :])
+    # H H' is 1 + [i = j], for all differences share the own bat
+    gain = variance * np.linalg.solve(variance * (1 + np.eye(len(others))) + of_errors, off[:, :, None])[:, :, 0]
+    learned = players_bat - gain.sum(axis=1)
+    single = single + gain
+    return Liveliness(learned, {bat.bat.name: single[:, place] - learned for place, bat in enumerate(others)})
+
+
+def _error(mean: Interval) -> float:
+    """Return the standard error of a mean with its interval."""
+    return (mean.high - mean.low) / (2 * REACH)
