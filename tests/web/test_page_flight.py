@@ -138,3 +138,20 @@ def test_units_phone_and_lines(opened: Page, narrow: Wait) -> None:
     with opened.expect_download() as saved:
         opened.locator("dialog [data-format=csv]").click()
     assert saved.value.suggested_filename == "sweetspot-flight.csv"
+
+
+def test_a_hit_in_space_is_drawn_when_it_is_opened_and_turned_by_hand(
+    page: Page, server: str, settled: Wait, repainted: Any
+) -> None:
+    page.goto(f"{server}/flight")
+    settled(page)
+    fold = page.locator("#space")
+    expect(fold).to_be_hidden()  # a ball with its own numbers was hit by nobody
+    page.get_by_label("The ball starts").select_option("swing")
+    settled(page)
+    fold.locator("summary").click()
+    expect(fold.locator(".words")).to_contain_text("The barrel rises 9.0")
+    shown = fold.locator("canvas")
+    expect(shown).to_have_attribute("aria-label", re.compile("The barrel rises 9.0"))
+    for press in (lambda: shown.press("ArrowLeft"), lambda: fold.get_by_role("button", name="From above").click()):
+        repainted(page, press)

@@ -16,9 +16,9 @@ from sweetspot.answers.records import to_dict
 from sweetspot.catalog.aerodynamic_laws import aerodynamics_in
 from sweetspot.flight.fence import fly_all_parks
 from sweetspot.numerics.constants import STANDARD_GRAVITY
-from sweetspot.units import FOOT, MPH
+from sweetspot.units import FOOT, INCH, MPH
 from sweetspot.web.errors import FieldError
-from sweetspot.web.views import flight
+from sweetspot.web.views import flight, flight_swing
 from sweetspot.web.views.flight import VIEW
 from sweetspot.web.views.flight_state import FlightState
 
@@ -236,3 +236,29 @@ def test_the_chosen_park_has_one_chance() -> None:
     found = asked()
     [row] = [row for row in found["parks"] if row["park"] == found["park"]["name"]]
     assert row["chance"] == found["chance"]
+
+
+def test_a_hit_in_space_is_the_play_s_where_it_happens() -> None:
+    """Exact: the barrel rises by the attack angle, the ball lies as far off the bat's axis as asked, both touch."""
+    state = FlightState(start="swing", offset_in=0.5, attack_angle_deg=12, tilt_deg=30, impact_from_tip_in=5)
+    found, played = flight_swing.space(state), flight.answer(state)
+    assert isinstance(played, flight.FlownBall)
+    axes = np.array([found.forward, found.up, found.tip])
+    assert axes @ axes.T == pytest.approx(np.eye(3), abs=1e-12)
+    assert math.asin(found.forward[2]) == pytest.approx(math.radians(12))
+    assert math.acos(abs(found.up[2])) == pytest.approx(math.radians(30))  # the plane against the ground
+    assert found.tip[2] < 0  # the barrel is below the hands
+    off = found.ball - found.axis
+    assert off @ found.up == pytest.approx(0.5 * INCH)
+    assert off @ found.tip == pytest.approx(0, abs=1e-12)
+    bat = catalog.bat("r161-ash")
+    assert float(np.linalg.norm(off)) == pytest.approx(found.radius + float(bat.diameter_at(found.place)) / 2)
+    assert found.place == pytest.approx(bat.length - 5 * INCH)
+    assert np.linalg.norm(found.leaves) == pytest.approx(played.launch.exit_speed)
+    assert "rises 12.0° in a plane tilted 30.0°" in found.sentence["us"][0]
+    assert "1.3 cm above its axis" in found.sentence["si"][0]
+    below = flight_swing.space(state.model_copy(update={"offset_in": -0.5, "attack_angle_deg": -5}))
+    assert "falls 5.0°" in below.sentence["us"][0]
+    assert "0.50 in below its axis" in below.sentence["us"][0]
+    with pytest.raises(FieldError, match="from pitch and swing"):
+        flight_swing.space(FlightState())

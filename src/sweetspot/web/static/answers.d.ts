@@ -44,7 +44,7 @@ export interface Asides {
   compare: { intervals: SureComparison; rules: CertifiedBats; sure: ReadDocument; rules_sure: ReadDocument; };
   design: { gain: DesignWorth; files: DesignFiles; batter: BatterControls; };
   player: { fit: ReadDocument; table: SwingTable; };
-  flight: { map: CarryMap; fences: Fences; sure: ReadDocument; };
+  flight: { map: CarryMap; fences: Fences; space: HitInSpace; sure: ReadDocument; };
   optimum: { swing: ReadDocument; parks: ReadDocument; };
   season: { summary: SeasonWords; maps: SeasonMaps; player: ReadDocument | null; contacts: BatterControls; };
   paper: {  };
@@ -1013,6 +1013,23 @@ export interface HitFilmState {
   exaggeration: number;
   recoil: boolean;
   slowness: number;
+}
+
+/** A swing and a hit where they happen: to the right as the catcher sees it, to centre field, and up. */
+export interface HitInSpace {
+  forward: number[];
+  up: number[];
+  tip: number[];
+  outline: DrawnOutline;
+  place_m: number; place_low_m?: number; place_high_m?: number;
+  pivot_m: number; pivot_low_m?: number; pivot_high_m?: number;
+  axis_m: number[];
+  ball_m: number[];
+  radius_m: number; radius_low_m?: number; radius_high_m?: number;
+  pitch_m_s: number[];
+  leaves_m_s: number[];
+  spin_rad_s: number[];
+  sentence: Record<"us" | "si", string[]>;
 }
 
 /** The best launch angle of an exit speed, and carries around it. */

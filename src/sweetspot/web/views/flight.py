@@ -10,22 +10,17 @@ import numpy as np
 
 from sweetspot import catalog
 from sweetspot.answers.flight import BallLeaving, FlightPath, ball_leaving
-from sweetspot.answers.records import Angle, Distance, Length, Ratio, Speed, Time
+from sweetspot.answers.records import Angle, Distance, Speed, Time
 from sweetspot.catalog.aerodynamic_laws import aerodynamics_in
 from sweetspot.catalog.sports import aerodynamics_of_ball
-from sweetspot.collision.hit_in_space import Contact, strikes
-from sweetspot.dynamics.reduction import ReducedBat
 from sweetspot.equipment.ball import Ball
-from sweetspot.equipment.bat import Bat
 from sweetspot.flight.air import Air, Wind
 from sweetspot.flight.bearing import launched_to
 from sweetspot.flight.conditions import FlightConditions
 from sweetspot.flight.fence import PATH_POINTS
 from sweetspot.flight.kernel import Flights, flights
 from sweetspot.flight.park import Park
-from sweetspot.motion.ball_motion import USUAL_CONTACT, BallMotion, batted_ball
-from sweetspot.motion.swing import Conditions
-from sweetspot.motion.swing_path import SwingPath, Swings
+from sweetspot.motion.ball_motion import BallMotion, batted_ball
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Number
 from sweetspot.reports.page_words import (
@@ -39,11 +34,11 @@ from sweetspot.reports.page_words import (
     parks_words,
     side_words,
 )
-from sweetspot.units import FOOT, INCH, INCH_OF_MERCURY, MPH, RPM
+from sweetspot.units import FOOT, INCH_OF_MERCURY, MPH, RPM
 from sweetspot.units.dimensions import DENSITY, DISTANCE
-from sweetspot.web.bats import ball_of, conditions_of, described, place_of, reduced, swung, usual
+from sweetspot.web.bats import ball_of, described, swung, usual
 from sweetspot.web.documents import ReadDocument, Sentences, in_both_systems, page_document
-from sweetspot.web.drawings import BatPicture, bat_picture
+from sweetspot.web.drawings import BatPicture
 from sweetspot.web.errors import FieldError, about
 from sweetspot.web.recipes import (
     Ask,
@@ -68,20 +63,10 @@ from sweetspot.web.views.flight_parks import (
     parks_of,
 )
 from sweetspot.web.views.flight_state import FlightState
+from sweetspot.web.views.flight_swing import FORWARD, SwungAt, met, space, struck
 
-FORWARD = USUAL_CONTACT[1]
-"""m in front of the plate's tip where ball and bat meet."""
 SHOWN = 2
 """Every how many points of a path are handed out."""
-
-
-@dataclass(frozen=True)
-class SwungAt:
-    """The swing where it meets the ball, from the knob end."""
-
-    position: Length
-    bat_speed: Speed
-    collision_efficiency: Ratio
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -231,7 +216,7 @@ def sure(state: FlightState) -> ReadDocument:
     if state.start == "ball":
         question = FlightQuestion(start.motion, flying, flight_sources(flying.aerodynamics), PAGE_DRAWS)
         return page_document(flight_document(flight_answer(question)))
-    free_bat, conditions, path, pitch, contact = _met(state, ball_of(state))
+    free_bat, conditions, path, pitch, contact = met(state, ball_of(state))
     sources = play_sources(sources_for(state, free_bat.bat, conditions), flying.aerodynamics)
     model = free_bat.held(conditions.hands)
     asked = PlayQuestion(model, conditions, flying, path, pitch, contact, sources=sources, draws=PAGE_DRAWS)
@@ -259,7 +244,7 @@ def _start(state: FlightState) -> _Start:
     ball = ball_of(state)
     conditions = _conditions(state, park, ball)
     if state.start == "swing":
-        return _Start(park, conditions, *_struck(state, ball))
+        return _Start(park, conditions, *struck(state, ball))
     return _Start(park, conditions, launched_by(state, conditions))
 
 
@@ -293,60 +278,6 @@ def _conditions(state: FlightState, park: Park, ball: Ball) -> FlightConditions:
     wind = Wind(speed=state.wind_speed_mph * MPH, direction=math.radians(state.wind_direction_deg))
     law = aerodynamics_in(park, aerodynamics_of_ball(ball))
     return FlightConditions(ball=ball, aerodynamics=law, air=air, wind=wind)
-
-
-class _Meeting(NamedTuple):
-    """A pitch and the swing that meets it."""
-
-    free_bat: ReducedBat[Bat]
-    conditions: Conditions
-    path: SwingPath
-    pitch: BallMotion
-    contact: Contact
-
-
-def _met(state: FlightState, ball: Ball) -> _Meeting:
-    """Return the pitch and the swing that the controls describe."""
-    free_bat = reduced(state, ball)
-    bat, conditions = free_bat.bat, conditions_of(state, free_bat.bat)
-    with about("tilt_deg"):
-        path = SwingPath(
-            attack_angle=math.radians(state.attack_angle_deg),
-            attack_direction=math.radians(state.attack_direction_deg),
-            tilt=math.radians(state.tilt_deg),
-            bats=state.batter,
-        )
-    place = place_of(state, bat, conditions)
-    pitch = batted_ball(
-        speed=conditions.pitch.speed,
-        launch_angle=math.radians(state.pitch_angle_deg),
-        spray=math.pi,
-        backspin=state.pitch_backspin_rpm * RPM,
-        position=(0.0, FORWARD, state.height_ft * FOOT),
-    )
-    return _Meeting(free_bat, conditions, path, pitch, Contact(place, state.offset_in * INCH))
-
-
-def _struck(state: FlightState, ball: Ball) -> tuple[BallMotion | None, SwungAt, BatPicture]:
-    """Return the ball as the swing's controls send it off, by the compiled collision, with the swing and its bat."""
-    free_bat, conditions, path, pitch, contact = _met(state, ball)
-    place = float(np.asarray(contact.position))
-    bat_speed = conditions.swing.speed_at(place)
-    hits = strikes(
-        free_bat.held(conditions.hands),
-        ball=ball,
-        swings=Swings(bat_speed, path.axes, conditions.swing.pivot),
-        pitches=pitch,
-        contact=contact,
-    )
-    leaves = bool(np.isfinite(hits.velocity).all())
-    picture, tilt = bat_picture(state, free_bat), state.tilt_deg
-    plane = {"attack_angle_deg": (-tilt, tilt), "tilt_deg": (abs(state.attack_angle_deg), 90.0)}  # no path is steeper
-    return (
-        BallMotion(pitch.position, hits.velocity[0], hits.spin[0]) if leaves else None,
-        SwungAt(place, bat_speed, float(hits.collision_efficiency[0])),
-        replace(picture, bounds={**picture.bounds, **plane}),
-    )
 
 
 def _flown(motion: BallMotion, conditions: FlightConditions) -> Flights:
@@ -393,4 +324,11 @@ def recipe(state: FlightState) -> dict[str, str]:
     return {**lines_of(ask), "toml": bat_text(state)}
 
 
-VIEW = View("flight", "Flight", FlightState, answer, recipe, asides={"map": carry_map, "fences": fences, "sure": sure})
+VIEW = View(
+    "flight",
+    "Flight",
+    FlightState,
+    answer,
+    recipe,
+    asides={"map": carry_map, "fences": fences, "space": space, "sure": sure},
+)

@@ -7,6 +7,7 @@ import { HowSure } from "../controls/howsure.js";
 import { factList, make, section, tableOf, tell } from "../controls/parts.js";
 import { MPH, toShown } from "../controls/units.js";
 import { FieldPicture, SidePicture } from "./flight_pictures.js";
+import { SpaceFold } from "./flight_space.js";
 /** @import { Answers, CarryMap, FlownBall, States } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
 /** @import { AppOf, Field, Guide } from "../shell/main.js" */
@@ -60,6 +61,7 @@ export default class FlightView {
     this.words = make("p", { className: "headline", id: "verdict" });
     this.launch = make("p", { className: "note" });
     this.sure = new HowSure(app, { but: ["own_elevation"] });
+    this.space = new SpaceFold(app);
     this.facts = factList(FACTS, app);
     this.side = new SidePicture(app);
     this.field = new FieldPicture(app, { onLand: (place, { last }) => this.land(place, last), onWind: (wind, { last }) => app.setState(wind, { commit: last }) });
@@ -75,7 +77,7 @@ export default class FlightView {
     this.list = section("In every park",
       toggle(app, "own_elevation", { label: "Each park with the air of its own elevation" }), this.parks);
     root.append(side, make("div", { className: "stack" },
-      make("section", { className: "picture" }, this.words, this.launch, this.pictures, this.sure.element), this.list));
+      make("section", { className: "picture" }, this.words, this.launch, this.space.element, this.pictures, this.sure.element), this.list));
   }
 
   /** @param {AppOf<"flight">} app @param {HTMLElement} elevation */
@@ -160,6 +162,7 @@ export default class FlightView {
     tell(this.words, words);
     this.app.announce(words);
     this.pictures.hidden = this.list.hidden = answer.missed;
+    this.space.update(answer.missed ? null : answer);
     if (answer.missed) {
       this.launch.textContent = "";
       return;
