@@ -543,6 +543,7 @@ def outline(
     length: Amount | None = None,
     ruler: Amount | None = None,
     camera_distance: Amount | None = None,
+    barrel: Amount | None = None,
     material: str = "white-ash",
     name: str | None = None,
 ) -> OutlineAnswer: ...

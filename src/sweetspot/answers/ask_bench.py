@@ -81,6 +81,7 @@ def outline(
     length: float | None = None,
     ruler: float | None = None,
     camera_distance: float | None = None,
+    barrel: float | None = None,
     material: str = "white-ash",
     name: str | None = None,
 ) -> OutlineAnswer:
@@ -89,8 +90,8 @@ def outline(
     Parameters
     ----------
     source : CSV, SVG, DXF, JPEG or PNG file.
-    length, ruler, camera_distance : m, what the file does not hold: of the bat, of a straight ruler beside it in a
-        photograph, and from camera to bat.
+    length, ruler, camera_distance, barrel : m, what the file does not hold: of the bat, of a straight ruler beside it
+        in a photograph, from camera to bat, and its greatest diameter by caliper, which a photograph is brought to.
     material : its name in the catalogue.
     name : what to call the bat; None: the file's name.
     """
@@ -98,7 +99,7 @@ def outline(
     from sweetspot.calibration.outline.outline_file import read_outline
 
     path = Path(source)
-    measured = read_outline(path, length=length, ruler=ruler, camera_distance=camera_distance)
+    measured = read_outline(path, length=length, ruler=ruler, camera_distance=camera_distance, barrel=barrel)
     bat = bat_of_outline(measured, material=catalog.material(material), name=name or path.stem)
     return outline_answer(OutlineQuestion(measured, bat))
 

@@ -36,6 +36,12 @@ class SizeOptions:
     camera_distance: Annotated[
         str | None, Parameter(help="From camera to bat: 2.5m; default: as the photograph's lens tells.")
     ] = None
+    barrel: Annotated[
+        str | None,
+        Parameter(
+            help="Its greatest diameter by caliper, which a photograph is checked against and brought to: 64.5mm."
+        ),
+    ] = None
 
     def given(self) -> dict[str, float]:
         """Return the sizes that were given, in m by name."""

@@ -22,7 +22,7 @@ KINDS: Mapping[Kind, str] = {
         "pivot hands measured_at bat_speed_at spacing length diameter depth "
         "choke moi_axis balance_point radius plug bore_diameter bore_depth cup_depth rod_hands hands_moved elevation "
         "reference_height calm_below height forward drop_height thickness block_thickness size pivot_of_table line "
-        "ruler camera_distance places"
+        "ruler camera_distance barrel places"
     ),
     "pressure": "longitudinal_modulus shear_modulus transverse_modulus pressure strength",
     "density": "density air",

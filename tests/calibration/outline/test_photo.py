@@ -412,3 +412,23 @@ def test_dark_print_on_pale_wood_does_not_draw_the_edge_inwards(tmp_path: Path) 
         picture[rows, start : start + 12] = 0.05
     outline = read_photo(saved(tmp_path / "bat.jpg", picture, quality=90), length=BAT.length, camera_distance=1e6)
     assert np.abs(misses(outline)).max() < 1.1e-3
+
+
+def test_a_caliper_mends_a_squeezed_picture(tmp_path: Path) -> None:
+    """Squeezed by 4 % across the bat, it is 4 % too narrow everywhere, beyond its ±; one reading brings it back."""
+    picture = rendered()
+    squeezed = Image.fromarray((255 * np.clip(picture, 0, 1)).astype(np.uint8))
+    size = (squeezed.width, round(0.96 * squeezed.height))
+    path = tmp_path / "bat.png"
+    squeezed.resize(size, Image.Resampling.LANCZOS).save(path)
+    barrel = max(size for _, size in BAT.profile or ())
+    alone = read_outline(path, length=BAT.length, camera_distance=2.5)
+    mended = read_outline(path, length=BAT.length, camera_distance=2.5, barrel=barrel)
+    assert isinstance(alone, PhotoOutline) and isinstance(mended, PhotoOutline)
+    assert inside(alone) < 0.7
+    assert inside(mended) == 1
+    assert np.median(np.abs(misses(mended))) < 0.3 * np.median(np.abs(misses(alone)))
+    assert "more than its own ±" in " ".join(mended.notes)
+    assert max(size for _, size in mended.profile) == pytest.approx(barrel)
+    with pytest.raises(InputError, match=r"shows a barrel of .* and --barrel was given as 45"):
+        read_outline(path, length=BAT.length, barrel=0.045)

@@ -12,10 +12,14 @@ import pytest
 from sweetspot import catalog
 from sweetspot.calibration.outline.outline_file import read_outline
 from sweetspot.errors import InputError
+from sweetspot.numerics.arrays import Array
+from sweetspot.reports.drawings.drawing_file import drawing_bytes
+from sweetspot.reports.drawings.meridian import radius_at, smooth_outline
 from sweetspot.tables.headings import GivenColumns
 from tests.real_data import real_file
 
 INCH = 0.0254
+BAT = catalog.bat("mlb-a")
 INCHES = np.arange(0, 34.01, 0.5)
 
 
@@ -207,3 +211,72 @@ def test_doubtful_stations_are_told(tmp_path: Path) -> None:
     bare = written(tmp_path / "bat.csv", "position_in,diameter", IN, MM)
     with pytest.raises(InputError, match="no unit"):
         read_outline(bare)
+
+
+DENSE = np.linspace(0.0, BAT.length, 700)
+RADII = BAT.diameter_at(DENSE) / 2
+
+
+def rows_of(columns: list[Array], head: str, separator: str = ",") -> str:
+    lines = [separator.join(f"{cell:.5f}" for cell in row) for row in zip(*columns, strict=True)]
+    return "\n".join([head, *lines]) + "\n"
+
+
+def lying(columns: list[Array], heads: list[str]) -> str:
+    return "\n".join(
+        f"{head},{','.join(f'{cell:.5f}' for cell in column)}" for head, column in zip(heads, columns, strict=True)
+    )
+
+
+SHAPES = {
+    "dense": rows_of([1e3 * DENSE, 2e3 * RADII], "position_mm,diameter_mm"),
+    "closed at the axis": rows_of(
+        [1e3 * np.array([0, *DENSE, BAT.length]), 1e3 * np.array([0, *RADII, 0])], "z_mm,radius_mm"
+    ),
+    "lying": lying([DENSE[::10] / INCH, 2 * RADII[::10] / INCH], ["Measurement Interval (in)", "Diameter (in)"]),
+    "lying, comment above": "# measured\n" + lying([2e3 * RADII, 1e3 * DENSE], ["diameter_mm", "place_mm"]),
+    "lathe, diameters": rows_of([1e3 * (DENSE - BAT.length), 2e3 * RADII], "Z (mm),X (mm)"),
+    "lathe, radii": rows_of([1e3 * (BAT.length - DENSE), 1e3 * RADII], "Z mm;X mm", ";").replace(".", ","),
+    "lathe, X first": rows_of([1e3 * RADII[::-1], 1e3 * DENSE[::-1]], "X_radius_mm,Z_mm"),
+}
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_tables_of_any_shape_give_the_profile_back(shape: str, tmp_path: Path) -> None:
+    """Within 0.05 mm of diameter and 0.1 % of volume, in no more stations than a bat file holds."""
+    path = tmp_path / "bat.csv"
+    path.write_text(SHAPES[shape], encoding="utf-8")
+    profile = np.array(read_outline(path).profile)
+    assert len(profile) <= 150
+    at = np.linspace(0, BAT.length, 2001)[1:-1]
+    step = 10 if shape == "lying" else 1
+    true = np.interp(at, DENSE[::step], 2 * RADII[::step])
+    found = np.interp(at, *profile.T)
+    assert np.abs(found - true).max() < 5e-5
+    assert np.sum(found**2) == pytest.approx(np.sum(true**2), rel=1e-3)
+
+
+def test_its_own_lathe_table_comes_back(tmp_path: Path) -> None:
+    path = tmp_path / "bat.lathe.csv"
+    path.write_bytes(drawing_bytes(BAT, path))
+    profile = np.array(read_outline(path).profile)
+    smooth = smooth_outline(BAT)
+    at = np.linspace(0, BAT.length, 2001)[1:-1]
+    assert np.abs(np.interp(at, *profile.T) - 2 * radius_at(smooth, at)).max() < 5e-5
+
+
+def test_a_point_of_a_round_end_weighs_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "bat.csv"
+    path.write_text(rows_of([1e3 * DENSE, 1e3 * np.array([*RADII[:-1], 0])], "place_mm,radius_mm"))
+    profile = np.array(read_outline(path).profile)
+    assert profile[-1] == pytest.approx([BAT.length, 1e-3])
+
+
+def test_inches_from_the_knob_that_end_within_the_barrel_are_asked_about(tmp_path: Path) -> None:
+    """1 to 33 in of a bat of 34 in is no bat of 33 in; from 0 to a blunt end, as of metal bats, it is one."""
+    inches = [float(inch) for inch in range(1, 34)]
+    path = table(tmp_path / "bat.csv", "in_from_knob,diameter_mm",
+                 [(x, 1e3 * float(BAT.diameter_at(x * INCH))) for x in inches])  # fmt: skip
+    with pytest.raises(InputError, match=r"ends at 0.8382 m \(33 in\) in the full barrel.*--length"):
+        read_outline(path)
+    assert read_outline(path, length=BAT.length).profile[-1][0] == pytest.approx(BAT.length)

@@ -9,6 +9,7 @@ from sweetspot.calibration.outline.curves import outline_of_curves
 from sweetspot.calibration.outline.drawing_file import dxf_curves, svg_curves
 from sweetspot.calibration.outline.lathe_program import program_outline
 from sweetspot.calibration.outline.measured_outline import MeasuredOutline, unlike_bats
+from sweetspot.calibration.outline.photo.caliper import at_caliper
 from sweetspot.calibration.outline.photo.photo_outline import read_photo
 from sweetspot.calibration.outline.solid_mesh import mesh_outline
 from sweetspot.calibration.outline.station_table import read_stations
@@ -32,6 +33,7 @@ def read_outline(
     length: float | None = None,
     ruler: float | None = None,
     camera_distance: float | None = None,
+    barrel: float | None = None,
     given: GivenColumns = NOTHING_GIVEN,
 ) -> MeasuredOutline:
     """Return the outline that a file holds.
@@ -43,12 +45,14 @@ def read_outline(
 
     ``length``: m of the bat; needed where places count from the tip, and where a drawing has no units. ``ruler``,
     ``camera_distance``: m, of photographs only; see `sweetspot.calibration.outline.photo.photo_outline.read_photo`.
+    ``barrel``: m, its greatest diameter by caliper, of photographs only.
     """
     ending = path.suffix.lower()
     if ending in PHOTOGRAPHS + HEIF:
-        outline: MeasuredOutline = read_photo(path, length=length, ruler=ruler, camera_distance=camera_distance)
-    elif ruler is not None or camera_distance is not None:
-        raise InputError(f"--ruler and --camera-distance are for photographs; {path} is none")
+        photo = read_photo(path, length=length, ruler=ruler, camera_distance=camera_distance)
+        outline: MeasuredOutline = photo if barrel is None else at_caliper(photo, barrel, str(path))
+    elif (ruler, camera_distance, barrel) != (None, None, None):
+        raise InputError(f"--ruler, --camera-distance and --barrel are for photographs; {path} is none")
     elif ending in TABLES:
         outline = read_stations(path, length=length, given=given)
     elif ending in MESHES:

@@ -10,7 +10,15 @@ from pathlib import Path
 
 import numpy as np
 
-from sweetspot.calibration.outline.measured_outline import MeasuredOutline, closed
+from sweetspot.calibration.outline.measured_outline import MeasuredOutline, closed, fewest_stations
+from sweetspot.calibration.outline.table_shapes import (
+    from_the_knob,
+    is_lathe_axis,
+    of_lathe,
+    upright,
+    without_end_faces,
+)
+from sweetspot.equipment.shell import MOST_STATIONS as MOST_OF_BAT
 from sweetspot.errors import InputError
 from sweetspot.numerics.text_files import MOST_TABLE_BYTES, read_text
 from sweetspot.plausibility import insisted, parse, verdict
@@ -35,7 +43,7 @@ PLURALS = {"diameter": "diameters", "circumference": "circumferences", "radius":
 TRIED = ("inches", "feet", "mm", "cm", "m")
 """Units that are tried where something is no bat."""
 COMMENT = "#"
-MOST_STATIONS = 2000
+MOST_STATIONS = 20_000
 FEWEST_STATIONS = 5
 MOST_FAULTS = 5
 """Lines whose fault a message names."""
@@ -60,9 +68,10 @@ def read_stations(path: Path, *, length: float | None = None, given: GivenColumn
 
     One column says where, from the knob end unless its heading names the tip: ``in_from_tip``, ``position_mm``. Another
     says how thick: ``diameter``, ``circumference`` or ``radius``. Units stand in the headings or behind the numbers,
-    which may be fractions. What stands above the headings, and lines that begin with #, are left out; so are stations
-    whose size is blank. Where no station is at an end, the tip is rounded as turned bats usually are, and the knob goes
-    on as thick as it was.
+    which may be fractions. The table may lie down, places in a line and sizes below. It may be a lathe's: Z from any
+    origin, with X, a diameter or else a radius. It may go down to the axis at its ends. What stands above the headings,
+    and lines that begin with #, are left out; so are stations whose size is blank. Where no station is at an end, the
+    tip is rounded as turned bats usually are, and the knob goes on as thick as it was.
 
     ``length``: m; needed where the places count from the tip, or where the last station is not the tip.
     """
@@ -77,24 +86,30 @@ def read_stations(path: Path, *, length: float | None = None, given: GivenColumn
         for line, cells in table_rows(text, path, is_heading=is_heading)
         if not cells[0].lstrip().startswith(COMMENT)
     ]
-    first = next((index for index, (_, cells) in enumerate(rows[:FIRST_LINES]) if is_heading(cells)), 0)
-    rows = rows[first:]
+    first = next((index for index, (_, cells) in enumerate(rows[:FIRST_LINES]) if is_heading(cells)), None)
+    rows = upright(rows, given) if first is None else rows[first:]
+    given = of_lathe(rows, given)
     if len(rows) < FEWEST_STATIONS + 1 or len(rows) > MOST_STATIONS:
         raise InputError(
             f"{path} has {len(rows)} line{'s' if len(rows) != 1 else ''}; allowed are a heading and "
             f"{FEWEST_STATIONS} to {MOST_STATIONS} stations"
         )
     where, across = _columns([name.strip() for name in rows[0][1]], rows[1:], given, path)
+    along_lathe = is_lathe_axis(where.heading)
     stations, faults = [], []
     for line, row in rows[1:]:
         if not _cell(row, across):
             continue
         try:
-            stations.append((_metres(row, where), ACROSS[across.quantity] * _metres(row, across)))
+            place = _metres(row, where, negative=along_lathe)
+            stations.append((place, ACROSS[across.quantity] * _metres(row, across)))
         except InputError as error:
             faults.append(f"line {line}: {error}")
     refuse_faults(faults[:MOST_FAULTS] + ["…"] * (len(faults) > MOST_FAULTS), str(path))
     stations.sort()
+    if along_lathe and stations:
+        stations = from_the_knob(stations)
+    stations = without_end_faces(stations)
     if len(stations) < FEWEST_STATIONS:
         raise InputError(f"{path} has {len(stations)} stations with a size; at least {FEWEST_STATIONS} are needed")
     _check_like_a_bat(stations, where, across, path)
@@ -104,8 +119,15 @@ def read_stations(path: Path, *, length: float | None = None, given: GivenColumn
         if length is None:
             raise InputError(f"{path} counts from the tip; say how long the bat is with --length")
         stations = sorted((length - place, size) for place, size in stations)
-    outline = closed(stations, length or stations[-1][0], str(path))
     blunt = length is None and stations[-1][1] > BLUNT * max(size for _, size in stations)
+    if blunt and stations[0][0] > 0 and not insisted():
+        raise InputError(
+            f"{path} begins {format_length(stations[0][0])} from the knob and ends at {format_length(stations[-1][0])} "
+            "in the full barrel, where no tip is; say how long the bat is with --length"
+        )
+    outline = closed(stations, length or stations[-1][0], str(path))
+    if len(outline.profile) > MOST_OF_BAT:
+        outline = replace(outline, profile=fewest_stations(*np.array(outline.profile).T))
     untold = [
         f"The last station, at {format_length(stations[-1][0])}, was taken as the tip; if it is not, give --length."
     ] * blunt
@@ -241,13 +263,16 @@ def _written_length(text: str) -> float:
         return math.nan
 
 
-def _metres(row: Sequence[str], column: TableColumn) -> float:
-    """Return the length in a cell, m."""
+def _metres(row: Sequence[str], column: TableColumn, *, negative: bool = False) -> float:
+    """Return the length in a cell, m.
+
+    ``negative``: whether it may be below 0, as along a lathe's axis.
+    """
     text = _cell(row, column)
     try:
         value = column.factor * float(text)
     except ValueError:
         value = _written_length(with_unit(text, column))
-    if not math.isfinite(value) or value < 0:
+    if not math.isfinite(value) or (value < 0 and not negative):
         raise InputError(f"{column.heading} is {text!r}; allowed is a number from 0 up, as 64.5, 64.5 mm or 2 9/16")
     return value
