@@ -117,6 +117,12 @@ def test_the_default_report_says_it(run: Callable[..., tuple[int, str, str]]) ->
         assert "To know it within 1.0 m/s, weigh it and time how it swings from a pivot (sweetspot pendulum)." in told
 
 
+def test_a_difference_of_open_sign_says_what_would_decide_it(run: Callable[..., tuple[int, str, str]]) -> None:
+    told = " ".join(run("compare", "r161-ash", "torpedo")[1].split())
+    assert "To know it within 1.0 mph, time how both swing from a pivot (sweetspot pendulum)." in told
+    assert "To know it within" not in run("compare", "tennis-racket", "--add", "6g@52cm")[1]  # a gain is a gain
+
+
 def test_nothing_is_to_be_measured_where_little_would_come_of_it(
     run: Callable[..., tuple[int, str, str]], tmp_path: Path
 ) -> None:

@@ -6,11 +6,15 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog, rigid_body
-from sweetspot.catalog.standard_hit import standard_analysis
+from sweetspot.analysis.comparison import Comparison, compare
+from sweetspot.catalog.standard_hit import standard_analysis, standard_conditions
+from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.uncertainty.comparison_draws import DrawnComparison, linear_comparison, narrowings_of_changes
 from sweetspot.uncertainty.drawn_hits import SpeedDoubt, speed_doubt
 from sweetspot.uncertainty.implement_doubt import beam_of
-from sweetspot.uncertainty.sources import sources_of
+from sweetspot.uncertainty.sources import Sources, sources_of
+from sweetspot.uncertainty.worth_measuring import Narrowing
 
 
 def doubt(tool: Implement) -> SpeedDoubt:
@@ -48,3 +52,30 @@ def test_what_stands_in_the_file_is_not_asked_for_again() -> None:
     balanced = doubt(bat.replaced(balance_point=body.balance_point)).narrowings
     assert [each.measured for each in balanced] == [("moi",)]
     assert np.isfinite(balanced[0].error)
+
+
+def test_a_difference_narrows_as_it_does_between_bats_so_measured() -> None:
+    bats = [catalog.bat("r161-ash"), catalog.bat("torpedo")]
+    narrower = {each.measured: each for each in narrowed(bats)[1]}
+    measured = [bat.replaced(moi=rigid_body(beam_of(bat)).moi(bat.moi_axis)) for bat in bats]
+    assert narrower["moi",].of == (0, 1)
+    # a little more is left than to bats so measured, whose balance points are then taken as drawn
+    after = error_of_change(measured)
+    assert after < narrower["moi",].error < 1.25 * after
+    assert narrowed(bats)[0] == ()
+
+
+def linear(bats: list[Bat]) -> tuple[DrawnComparison, Comparison[Implement], list[Sources]]:
+    law = catalog.swing_law(catalog.sport("baseball").swing_law)
+    comparison = compare(bats, conditions=standard_conditions(bats[0]), law=law)
+    sources = [sources_of(each.analysis.bat, each.analysis.conditions) for each in comparison.compared]
+    return linear_comparison(comparison, sources), comparison, sources
+
+
+def narrowed(bats: list[Bat]) -> list[tuple[Narrowing, ...]]:
+    return narrowings_of_changes(*linear(bats))
+
+
+def error_of_change(bats: list[Bat]) -> float:
+    up, down = np.split(linear(bats)[0].bats[1].change[1:], 2)
+    return float(np.linalg.norm((up - down) / 2))

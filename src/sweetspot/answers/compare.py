@@ -13,9 +13,10 @@ from sweetspot.analysis.bat_analysis import Analysis
 from sweetspot.analysis.comparison import Compared, Comparison, compare
 from sweetspot.analysis.strain import breaking_speed, damage
 from sweetspot.answers.answer import Answer, DrawnAnswer, Uncertainty, uncertainty_of
-from sweetspot.answers.certify import CertifyAnswer, CertifyQuestion, certify_answer
+from sweetspot.answers.certify import CertifyAnswer
 from sweetspot.answers.conditions import HitConditions, MassProperties, hit_conditions, mass_columns, mass_properties
 from sweetspot.answers.handling import Handling, HitBeside, handling_of, hits_beside
+from sweetspot.answers.kept_rules import RulesKept, certificate_of_sport, rules_kept
 from sweetspot.answers.records import (
     INTERNAL,
     NESTED,
@@ -27,9 +28,7 @@ from sweetspot.answers.records import (
     Speed,
     with_intervals,
 )
-from sweetspot.catalog.balls import ball
-from sweetspot.catalog.rules import DEFAULT_LEAGUE, WOODEN_LEAGUE, league
-from sweetspot.catalog.sports import sport
+from sweetspot.answers.worth_measuring import WorthMeasuring, worth_measuring_of
 from sweetspot.collision.coupled import hit
 from sweetspot.dynamics.modes import Family
 from sweetspot.equipment.bat import Bat
@@ -47,6 +46,7 @@ from sweetspot.uncertainty.comparison_draws import (
     drawn_comparison,
     linear_comparison,
     names_of_bats,
+    narrowings_of_changes,
 )
 from sweetspot.uncertainty.intervals import linear_reach, reach_of_draws
 from sweetspot.uncertainty.sources import DRAWS, Sources
@@ -80,28 +80,6 @@ class EffortLaw:
 
 
 @dataclass(frozen=True)
-class DecidedRule:
-    """A rule that is kept or broken; `RuleCheck` has its limits and its source."""
-
-    league: str
-    quantity: str
-    verdict: str
-    sure: bool
-    value: Number | None
-    unit: str
-
-
-@dataclass(frozen=True)
-class RulesKept:
-    """Whether a bat keeps the rules of its own sport, and the rules behind that."""
-
-    passed: bool
-    verdict: str
-    sure: bool
-    checks: tuple[DecidedRule, ...]
-
-
-@dataclass(frozen=True)
 class ComparedCurves:
     """Exit speed along one implement, from the knob end, arrays of shape (n,).
 
@@ -129,6 +107,7 @@ class ComparedBat:
     breaking_speed : closing speed from which on a hit 12 in from the tip breaks the handle of a wooden bat; nan: not of
         wood, not known, or not asked, as in `compare_of`. See `sweetspot.analysis.strain.breaking_speed`.
     rules : whether it keeps those of its own sport; None: that was not asked, or it has none.
+    worth_measuring : what would narrow the interval of the change, without draws.
     """
 
     label: str
@@ -148,6 +127,7 @@ class ComparedBat:
     rules: RulesKept | None = None
     handling: Handling | None = None
     off_center: tuple[HitBeside, ...] = ()
+    worth_measuring: tuple[WorthMeasuring, ...] = ()
     swung_faster: Annotated[Speed, INTERNAL]
     compared: Annotated[Compared[Implement], INTERNAL]
     certificate: Annotated[CertifyAnswer | None, INTERNAL] = None
@@ -260,7 +240,13 @@ def compare_of(
     plain = replace(plain, sources=tuple(sources))
     if not drawn:
         straight = linear_comparison(comparison, sources, ends)
-        return with_intervals(replace(plain, interval=LINEAR), _columns(straight), linear_reach)
+        sure = with_intervals(replace(plain, interval=LINEAR), _columns(straight), linear_reach)
+        narrower = narrowings_of_changes(straight, comparison, sources)
+        bats = (
+            replace(bat, worth_measuring=worth_measuring_of(each, [plain.reference, bat.label]))
+            for bat, each in zip(sure.bats, narrower, strict=True)
+        )
+        return replace(sure, bats=tuple(bats))
     found = drawn_comparison(comparison, sources, count=draws, ends=ends)
     sure = with_intervals(replace(plain, interval=DRAWN), _columns(found), reach_of_draws)
     return replace(sure, uncertainty=_uncertainty(sure, found))
@@ -375,23 +361,6 @@ def _with_rules(answer: CompareAnswer) -> CompareAnswer:
     for bat in answer.bats:
         implement = bat.compared.analysis.bat
         certificate = certificate_of_sport(implement) if isinstance(implement, Bat) else None
-        rules = None if certificate is None else _rules_kept(certificate)
+        rules = None if certificate is None else rules_kept(certificate)
         bats.append(replace(bat, rules=rules, certificate=certificate))
     return replace(answer, bats=tuple(bats))
-
-
-def certificate_of_sport(bat: Bat) -> CertifyAnswer:
-    """Return a bat held against the rules of its sport; a wooden one of baseball also against those of the majors."""
-    of_sport = sport(bat.sport).rules or DEFAULT_LEAGUE
-    names = [of_sport, WOODEN_LEAGUE] if of_sport == DEFAULT_LEAGUE and bat.material.family == "wood" else [of_sport]
-    leagues = [league(name) for name in names]
-    return certify_answer(CertifyQuestion(bat, leagues, ball(leagues[0].ball)))
-
-
-def _rules_kept(certificate: CertifyAnswer) -> RulesKept:
-    checks = tuple(
-        DecidedRule(check.league, check.quantity, check.verdict, check.sure, check.value, check.unit)
-        for check in certificate.checks
-        if check.outcome.decided
-    )
-    return RulesKept(certificate.passed, certificate.verdict.value, certificate.sure, checks)

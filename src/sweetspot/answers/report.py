@@ -28,7 +28,7 @@ from sweetspot.answers.records import (
 )
 from sweetspot.answers.report_draws import drawn_report
 from sweetspot.answers.setups import SwungWith
-from sweetspot.calibration.measurements import MeasuredKind
+from sweetspot.answers.worth_measuring import WorthMeasuring, worth_measuring_of
 from sweetspot.catalog.sports import sport
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.reduction import ReducedBat
@@ -144,14 +144,6 @@ class HitsOnFace:
     sting: Annotated[Array, GRID, GAPS]
 
 
-@dataclass(frozen=True)
-class WorthMeasuring:
-    """Something to measure on the implement, and half of the interval of its best exit speed once that is done."""
-
-    measured: tuple[MeasuredKind, ...]
-    exit_speed_half: Speed
-
-
 @dataclass(frozen=True, kw_only=True)
 class ReportAnswer(Description, Answer):
     """Everything about one implement and one swing; see `Description` for what it is unswung.
@@ -228,7 +220,7 @@ def report_of(
         errors = None if too_soft(analysis) else errors_by_ball(analysis.held, analysis.conditions, place)
         return replace(plain, half_by_ball=None if errors is None else REACH * errors.whole)
     doubt = None if too_soft(analysis) else speed_doubt(analysis, sources)
-    worth = () if doubt is None else tuple(WorthMeasuring(n.measured, REACH * n.error) for n in doubt.narrowings)
+    worth = () if doubt is None else worth_measuring_of(doubt.narrowings, [plain.bat.name])
     if not drawn:
         half = None if doubt is None else REACH * doubt.error
         return replace(plain, doubt=doubt, worth_measuring=worth, best_hit=replace(best, exit_speed_half=half))

@@ -20,6 +20,7 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interpolants import on_parabola, peak
 from sweetspot.uncertainty.drawn_hits import Draws, draws_of, hits_along
 from sweetspot.uncertainty.sources import DRAWS, Source, Sources, even_normal, one_by_one
+from sweetspot.uncertainty.worth_measuring import Narrowing, narrowings
 
 PLACES = 41
 NEARER, SHOWN_FROM = 6, 0.6
@@ -231,3 +232,21 @@ def linear_comparison(
     """Return the answers to a comparison with one source off at a time; `linear_reach` makes intervals of them."""
     count = len(drawn_names(comparison, sources, ends))
     return drawn_comparison(comparison, sources, normal=one_by_one(count), ends=ends)
+
+
+def narrowings_of_changes(
+    drawn: DrawnComparison, comparison: Comparison[Implement], sources: Sequence[Sources]
+) -> list[tuple[Narrowing, ...]]:
+    """Return the measurements on each implement and the first that make the change between them surer.
+
+    ``drawn``: see `linear_comparison`. Nothing stands for the first one.
+    """
+    behind = tuple(_behind(comparison, sources))
+    found: list[tuple[Narrowing, ...]] = [()]
+    for number, bat in enumerate(drawn.bats[1:], start=1):
+        up, down = np.split(bat.change[1:], 2)
+        slopes = (up - down) / 2
+        pair = [(comparison.compared[which].analysis.bat, sources[which].doubt) for which in (0, number)]
+        others = float(np.linalg.norm(slopes[len(behind) :]))
+        found.append(narrowings(pair, dict(zip(behind, slopes.tolist(), strict=False)), others=others))
+    return found

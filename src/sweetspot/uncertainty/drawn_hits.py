@@ -251,7 +251,7 @@ def speed_doubt(analysis: Analysis[Implement], sources: Sources) -> SpeedDoubt |
     if not whole > 0:
         return None
     ranked = sorted(variances.items(), key=lambda variance: -variance[1])
-    behind = len(sources.doubt.behind)
-    others = float(np.linalg.norm(slopes[behind:]))
-    narrower = narrowings(analysis.bat, sources.doubt, slopes=slopes[:behind], others=others)
+    behind = dict(zip(sources.doubt.behind, slopes.tolist(), strict=False))
+    others = float(np.linalg.norm(slopes[len(behind) :]))
+    narrower = narrowings([(analysis.bat, sources.doubt)], behind, others=others)
     return SpeedDoubt(whole**0.5, {name: part / whole for name, part in ranked}, narrower)

@@ -7,15 +7,14 @@ g g^T - (A g^T)^T (A A^T + E)^-1 (A g^T): what a linear answer keeps once z is k
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from sweetspot.calibration.measurements import MeasuredKind
+from sweetspot.calibration.measurements import MeasuredKind, Measurement
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.implement import Implement
-from sweetspot.numerics.arrays import Array
 from sweetspot.uncertainty.implement_doubt import ImplementDoubt, beam_of, usual_measurement, values_by_numbers, written
 
 WORKSHOP: tuple[tuple[MeasuredKind, ...], ...] = (("mass",), ("mass", "balance_point"), ("mass", "moi"))
@@ -25,43 +24,58 @@ inertia needs the weight too."""
 
 @dataclass(frozen=True)
 class Narrowing:
-    """What one standard deviation of an answer becomes once these are measured."""
+    """What one standard deviation of an answer becomes once these are measured.
+
+    ``of``: the implements that lack any of them, by their number.
+    """
 
     measured: tuple[MeasuredKind, ...]
+    of: tuple[int, ...]
     error: float
 
 
-def narrowings(tool: Implement, doubt: ImplementDoubt, *, slopes: Array, others: float) -> tuple[Narrowing, ...]:
-    """Return the measurements that an implement still lacks and what they would leave of an answer, least work first.
+def narrowings(
+    implements: Sequence[tuple[Implement, ImplementDoubt]], slopes: Mapping[Hashable, float], *, others: float
+) -> tuple[Narrowing, ...]:
+    """Return the measurements that implements still lack and what they would leave of an answer, least work first.
 
     Parameters
     ----------
-    slopes : of the answer by the numbers behind the implement's doubt, shape (numbers,).
+    implements : with what is not known of them.
+    slopes : of the answer by the numbers behind these doubts.
     others : standard deviation of the answer by all else.
     """
-    return tuple(_narrowings(tool, doubt, slopes=slopes, others=others))
-
-
-def _narrowings(tool: Implement, doubt: ImplementDoubt, *, slopes: Array, others: float) -> Iterator[Narrowing]:
-    if not doubt.unknowns:
-        return
-    in_file = {each.kind for each in written(tool)}
-    missing = [kind for kind in dict.fromkeys(kind for kinds in WORKSHOP for kind in kinds) if kind not in in_file]
-    if not missing:
-        return
-    beam = beam_of(tool)
-    body = rigid_body(beam)
-    values = {"mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(tool.moi_axis)}
-    measurements = [usual_measurement(tool, kind, values[kind]) for kind in missing]
-    by_numbers = values_by_numbers(doubt, beam, measurements)
-    errors = np.array([each.error for each in measurements])
-    tried: set[Sequence[MeasuredKind]] = set()
+    steep, columns = np.array(list(slopes.values())), {number: column for column, number in enumerate(slopes)}
+    lacking = [_lacking(tool, doubt) for tool, doubt in implements]
+    rows, errors, whose = [], [], []
+    for number, ((tool, doubt), measurements) in enumerate(zip(implements, lacking, strict=True)):
+        if measurements:
+            row = np.zeros((len(measurements), len(columns)))
+            row[:, [columns[each] for each in doubt.behind]] = values_by_numbers(doubt, beam_of(tool), measurements)
+            rows.append(row)
+            errors += [each.error for each in measurements]
+            whose += [(number, each.kind) for each in measurements]
+    if not rows:
+        return ()
+    by_numbers, found = np.vstack(rows), dict[tuple[tuple[int, MeasuredKind], ...], Narrowing]()
     for kinds in WORKSHOP:
-        new = tuple(kind for kind in kinds if kind in missing)
-        if new and new not in tried:
-            tried.add(new)
-            rows = [missing.index(kind) for kind in new]
-            seen = by_numbers[rows]
-            about = seen @ slopes
-            learned = float(about @ np.linalg.solve(seen @ seen.T + np.diag(errors[rows] ** 2), about))
-            yield Narrowing(new, float(np.hypot(max(float(slopes @ slopes) - learned, 0.0) ** 0.5, others)))
+        new = tuple(each for each in whose if each[1] in kinds)
+        chosen = [whose.index(each) for each in new]
+        seen, about = by_numbers[chosen], by_numbers[chosen] @ steep
+        learned = float(about @ np.linalg.solve(seen @ seen.T + np.diag(np.array(errors)[chosen] ** 2), about))
+        error = float(np.hypot(max(float(steep @ steep) - learned, 0.0) ** 0.5, others))
+        measured = tuple(kind for kind in kinds if any(kind == each for _, each in new))
+        if new:
+            found.setdefault(new, Narrowing(measured, tuple(sorted({number for number, _ in new})), error))
+    return tuple(found.values())
+
+
+def _lacking(tool: Implement, doubt: ImplementDoubt) -> list[Measurement]:
+    """Return the measurements that a workshop can make and that an implement's file does not have."""
+    in_file = {each.kind for each in written(tool)}
+    kinds = [kind for kind in dict.fromkeys(kind for kinds in WORKSHOP for kind in kinds) if kind not in in_file]
+    if not doubt.unknowns or not kinds:
+        return []
+    body = rigid_body(beam_of(tool))
+    values = {"mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(tool.moi_axis)}
+    return [usual_measurement(tool, kind, values[kind]) for kind in kinds]

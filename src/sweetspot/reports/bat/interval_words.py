@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from sweetspot.answers.report import ReportAnswer
-from sweetspot.calibration.measurements import MeasuredKind
 from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.interval import REACH, Interval
+from sweetspot.reports.measuring_words import what_to_measure
 from sweetspot.reports.sentences import Sentence, Slot, say
 from sweetspot.reports.sport_words import in_words
 from sweetspot.uncertainty.drawn_hits import SpeedDoubt
@@ -15,15 +13,6 @@ from sweetspot.uncertainty.sources import BALL_SOURCES, PATCH, PITCH, SWING
 
 MOSTLY, COUNTS = 0.6, 0.1
 """Parts of the variance from which on one thing is most of it, and from which on a thing is named beside others."""
-MUCH = 0.7
-"""Part of an interval that a measurement may leave to be worth telling [our choice]."""
-AS_WELL = 1.15
-"""Times the narrowest interval within which less work does as well [our choice]."""
-HOW_TO: Mapping[MeasuredKind, str] = {
-    "mass": "weigh it",
-    "balance_point": "balance it on an edge",
-    "moi": "time how it swings from a pivot (sweetspot pendulum)",
-}
 
 
 def sureness(report: ReportAnswer, words: Terms) -> Sentence:
@@ -36,16 +25,10 @@ def sureness(report: ReportAnswer, words: Terms) -> Sentence:
 
 
 def narrower(report: ReportAnswer) -> Sentence:
-    """Say what to measure so that the exit speed is much surer; nothing where nothing does that."""
-    halves = [float(each.exit_speed_half) for each in report.worth_measuring]
+    """Return the measurement that makes the exit speed much surer; nothing where none does."""
     whole = report.best_hit.exit_speed
     now = (whole.high - whole.low) / 2 if isinstance(whole, Interval) else float(report.best_hit.exit_speed_half or 0.0)
-    if not halves or min(halves) > MUCH * now:
-        return say("")
-    chosen = next(each for each in report.worth_measuring if float(each.exit_speed_half) <= AS_WELL * min(halves))
-    *first, last = [HOW_TO[kind] for kind in chosen.measured]
-    ways = " and ".join([*filter(None, [", ".join(first)]), last])
-    return say(" To know it within {half:speed}, {ways}.", half=chosen.exit_speed_half, ways=ways)
+    return what_to_measure(report.worth_measuring, now)
 
 
 def doubt_words(doubt: SpeedDoubt, words: Terms) -> Sentence:

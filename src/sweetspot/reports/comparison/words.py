@@ -12,6 +12,7 @@ from sweetspot.catalog.sports import sport
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.interval import ENDS, NO_SPEED, Interval, chance_above, interval_of, sure_sign
+from sweetspot.reports.measuring_words import what_to_measure
 from sweetspot.reports.sentences import Line, Sentence, joined, say, tell
 from sweetspot.reports.uncertainty import chance_words
 from sweetspot.units import MPH
@@ -128,7 +129,11 @@ def verdict(answer: CompareAnswer) -> list[Sentence]:
     for index, bat in enumerate(answer.bats[1:], start=1):
         taken = [answer.bats[which].label for which in (0, index) if not answer.sources[which].unknowns]
         given = f" if {' and '.join(taken)} {'is' if len(taken) == 1 else 'are'} just as described" if taken else ""
-        sentences.append(tell(VERDICT, given=given, **_facts(answer, bat)))
+        ends = interval_of(bat.change)
+        half = (ends.high - ends.low) / 2
+        open_sign = sure_sign(ends.low, ends.high, nothing=NO_SPEED) == 0
+        measure = what_to_measure(bat.worth_measuring, half, beside=bat.label) if open_sign else say("")
+        sentences.append(tell(VERDICT, given=given, **_facts(answer, bat)) + measure)
     return sentences
 
 

@@ -552,6 +552,7 @@ export interface DrawnComparedBat {
   rules?: RulesKept;
   handling?: Handling;
   off_center: HitBeside[];
+  worth_measuring: WorthMeasuring[];
   shape: BatShape;
   wall: WallInBestHit | null;
 }
@@ -1964,6 +1965,13 @@ export interface WizardQuestion {
   by: Record<string, Usual>;
   proportion_to: string;
   options: Choice[];
+}
+
+/** What to measure on which implements, and half of the interval of the answer's speed once that is done. */
+export interface WorthMeasuring {
+  measured: ("mass" | "balance_point" | "moi" | "period" | "frequency" | "efficiency")[];
+  implements: string[];
+  half_interval_m_s: number; half_interval_low_m_s?: number; half_interval_high_m_s?: number;
 }
 
 /** The text of a bat's file; None: nothing was measured. */
