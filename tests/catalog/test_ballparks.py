@@ -214,3 +214,10 @@ def column(table: list[dict[str, str]], name: str) -> Any:
 def test_a_mile_high() -> None:
     """whysowlee_ballparks: Coors Field lies at 5190 ft, within 100 ft of a mile."""
     assert catalog.park("coors").elevation == pytest.approx(5190 * FOOT)
+
+
+def test_a_college_field_is_as_its_rule_recommends() -> None:
+    field = catalog.park("ncaa")
+    for bearing, feet in ((-45.0, 330.0), (0.0, 400.0), (45.0, 330.0)):
+        assert field.distance_at(math.radians(bearing)) == pytest.approx(feet * FOOT, rel=1e-6)
+    assert field.distance_at(math.radians(22.5)) == pytest.approx(375 * FOOT, rel=0.03)

@@ -21,6 +21,7 @@ from sweetspot.collision.contact_table import table_errors, tabled_bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import Interval
+from sweetspot.seasons.agreement import Agreement, agreement_of
 from sweetspot.seasons.ball_maps import is_home_run, known_sum
 from sweetspot.seasons.batters import unknown_batter
 from sweetspot.seasons.contact import ContactSetting
@@ -187,6 +188,7 @@ class SeasonAnswer(Answer):
     own_drag : that the balls fly with; None: the law's, or one that was given.
     left_over : tracked distance less carry, by what balls are compared by.
     home_runs_by : expected and hit, by launch angle, direction to the pull side and chance.
+    agreement : how many kinds of balls have the home runs and the distances that the tables tell.
     scatter : how balls and groups scatter, by grouping and measure.
     rare_shares : measures that rest on so few of a kind that their intervals hold less than they say, by grouping.
     cannot_tell : what the tables leave open.
@@ -209,6 +211,7 @@ class SeasonAnswer(Answer):
     own_drag: OwnDrag | None
     left_over: Mapping[str, tuple[LeftOver, ...]]
     home_runs_by: Mapping[str, tuple[HomeRunsOf, ...]]
+    agreement: Agreement
     scatter: Mapping[str, Mapping[str, Spread]]
     rare_shares: Mapping[str, Sequence[str]]
     cannot_tell: tuple[str, ...]
@@ -313,6 +316,8 @@ def _summarised(question: SeasonQuestion, season: Season) -> SeasonAnswer:
     drawn = counted if balls <= MOST_DRAWN else counted.gather_every(-(-balls // MOST_DRAWN))
     standings = all_standings(parts)
     drag = drag_by_month(drawn, flown_with=season.setting.flight.drag or 1.0)
+    left_over = {kind: left_over_by(drawn, kind) for kind in EDGES}
+    home_runs = {kind: home_runs_by(counted, kind) for kind in HOME_RUN_EDGES}
     return SeasonAnswer(
         question=question,
         season=season,
@@ -329,8 +334,9 @@ def _summarised(question: SeasonQuestion, season: Season) -> SeasonAnswer:
         other_bats=tuple(bat_gains(season)),
         drag=drag,
         own_drag=season.own_drag,
-        left_over={kind: left_over_by(drawn, kind) for kind in EDGES},
-        home_runs_by={kind: home_runs_by(counted, kind) for kind in HOME_RUN_EDGES},
+        left_over=left_over,
+        home_runs_by=home_runs,
+        agreement=agreement_of(home_runs, left_over),
         scatter={key: standing.spreads for key, standing in standings.items()},
         rare_shares={key: rare_shares(standing) for key, standing in standings.items()},
         cannot_tell=cannot_tell(survey.tables),

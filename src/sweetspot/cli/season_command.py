@@ -66,7 +66,7 @@ class BallsOptions:
     ] = None
     park: Annotated[
         str | None,
-        Parameter(help="Park or kind of field of balls whose table names none that is known: coors, high-school."),
+        Parameter(help="Park or kind of field of balls whose table names none that is known: coors, college."),
     ] = None
     fence: Annotated[
         str | None,

@@ -9,6 +9,7 @@ import numpy as np
 from sweetspot.answers.season import SeasonAnswer
 from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.reports.sentences import Line, Sentence, Slot, say, tell
+from sweetspot.seasons.agreement import APART
 from sweetspot.seasons.ball_columns import WITH
 from sweetspot.seasons.season_drag import LeftOver, OwnDrag
 from sweetspot.seasons.standings import MEASURES
@@ -44,6 +45,24 @@ LEAGUE = (
     Line("Balls are met {league.from_best:offset} from the best place on average.", "bat_speeds"),
 )
 """A paragraph each."""
+LEAGUE_COUNTED = 3
+"""Of these paragraphs, those that count balls and home runs."""
+AGREES = (
+    Line("Checked against the tables: "),
+    Line(
+        "home runs of {agreement.home_runs_agree} of {agreement.home_run_kinds} kinds of balls, by launch angle and "
+        "direction, are as expected, within a tenth or two standard deviations of chance",
+        "gone",
+    ),
+    Line("; ", "both"),
+    Line(
+        "tracked distances are {agreement.distance_above:distance, 1, sign} beside the computed ones on average, "
+        "{agreement.distances_agree} of {agreement.distance_kinds} kinds within {near:distance} or two standard errors",
+        "tracked",
+    ),
+    Line("."),
+)
+"""What agrees, in one line; tables break it down."""
 SELECTED_TAIL = 1e-3
 """Probability of so few or so many home runs below which a table counts as selected [our choice]."""
 OTHER_BAT = (
@@ -139,11 +158,21 @@ def league_words(answer: SeasonAnswer) -> list[Sentence]:
         "some": grouped(league.league_squared_up_balls),
     }
     paragraphs = [tell([line], **facts) for line in LEAGUE]
+    paragraphs.insert(LEAGUE_COUNTED, _agreement_words(answer))
     for other in answer.other_bats:
         gain = Interval(other.gain, other.low, other.high)
         paragraphs.append(say(OTHER_BAT, bat=other.bat, gain=gain, balls=grouped(other.balls)))
     paragraphs.append(_places_words(answer))
     return [paragraph for paragraph in paragraphs if paragraph.parts]
+
+
+def _agreement_words(answer: SeasonAnswer) -> Sentence:
+    """Return how home runs and distances agree with the tables; nothing where no table has either."""
+    found = answer.agreement
+    gone, tracked = found.home_run_kinds > 0, found.distance_kinds > 0
+    if not gone and not tracked:
+        return Sentence(())
+    return tell(AGREES, agreement=found, gone=gone, tracked=tracked, both=gone and tracked, near=APART)
 
 
 def _drag_interval(drag: OwnDrag | None) -> Interval | None:
