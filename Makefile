@@ -120,10 +120,10 @@ golden-check: $(VENV)/.dev  ## list numbers that changed by more than 1e-9
 LOCK = $(UV) pip compile -q --universal --python-version 3.11.0 --generate-hashes --no-header --no-annotate --no-emit-index-url
 
 lock: $(UV)  ## pin the newest versions that pyproject allows, for every Python and platform from the lowest up
-	$(LOCK) --upgrade pyproject.toml -o requirements.txt
+	$(LOCK) --upgrade --extra all pyproject.toml -o requirements.txt
 	$(LOCK) --upgrade --extra dev -c requirements.txt pyproject.toml -o requirements-dev.txt
 	echo uv | $(LOCK) --upgrade - -o requirements-uv.txt
-	$(LOCK) --resolution lowest-direct --extra tests pyproject.toml -o requirements-lowest.txt
+	$(LOCK) --resolution lowest-direct --extra all --extra tests pyproject.toml -o requirements-lowest.txt
 
 clean:
 	rm -rf $(VENV) $(LOWEST) node_modules docs/_build docs/_generated docs/gallery build report .mypy_cache .ruff_cache .pytest_cache .benchmarks

@@ -134,7 +134,10 @@ def __getattr__(name: str) -> Any:
     home = _HOME_OF[name]
     if not home:
         return import_module(f"sweetspot.{name}")
-    thing = getattr(import_module(f"sweetspot.{home}"), name)
+    from sweetspot.errors import missing_extras_named
+
+    with missing_extras_named():
+        thing = getattr(import_module(f"sweetspot.{home}"), name)
     if isinstance(thing, FunctionType):
         from sweetspot.front_door import opened
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 
 ALMOST = 0.75
 """Least similarity, from 0 to 1, of two names of which one may be a misspelling of the other. [Our choice.]"""
@@ -12,6 +15,13 @@ FEW = 3
 """Letters of a name below which the list needs `ALMOST` too: two letters are in many words. [Our choice.]"""
 MOST_MEANT, MOST_LISTED, MOST_EXAMPLES = 3, 14, 8
 """Names listed at most: of those spelt alike, of a short list whole, of a long one as examples."""
+
+PACKAGE = "sweetspot"
+DISTRIBUTIONS = {"PIL": "pillow", "fontTools": "fonttools", "starlette": "fastapi"}
+"""Names under which modules are installed, where they differ."""
+REQUIREMENT = re.compile(r"""^([\w.-]+).*;.*\bextra == ['"]([\w-]+)['"]""")
+NO_QUESTION = frozenset({"all", "bench", "dev", "docs", "tests"})
+"""Extras that hold others, or serve who works on the package."""
 
 
 class SweetspotError(Exception):
@@ -24,6 +34,10 @@ class InputError(SweetspotError, ValueError):
     The message is one sentence or two: what was given, what is allowed, what to do.
     The command line prints it as it is and exits with code 2.
     """
+
+
+class MissingExtraError(SweetspotError, ModuleNotFoundError):
+    """A package is not installed that only some questions need."""
 
 
 class UnwritableError(SweetspotError):
@@ -100,3 +114,44 @@ def spelt_almost(name: str, names: Iterable[str]) -> str | None:
 
 def _with_meant(name: str, meant: str | None) -> str:
     return f"{name!r} (did you mean {meant}?)" if meant else repr(name)
+
+
+@contextmanager
+def missing_extras_named() -> Iterator[None]:
+    """Say of a missing package which extra brings it.
+
+    Raises
+    ------
+    MissingExtraError
+        in the place of `ModuleNotFoundError`, if an extra of this package brings the module.
+    """
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        name = (error.name or "").partition(".")[0]
+        distribution = DISTRIBUTIONS.get(name, name).lower()
+        if isinstance(error, MissingExtraError) or (extra := smallest_extras().get(distribution)) is None:
+            raise
+        message = f"this needs {distribution}, which is not installed: pip install '{PACKAGE}[{extra}]'"
+        raise MissingExtraError(message, name=error.name) from error
+
+
+def smallest_extras() -> dict[str, str]:
+    """Return by distribution the smallest extra that brings it, as the installed package says; of two alike the later.
+
+    It is empty where the package is not installed but lies in a folder.
+
+    >>> found = smallest_extras()
+    >>> found["polars"], found["av"]
+    ('season', 'sound')
+    """
+    from importlib.metadata import PackageNotFoundError, requires
+
+    try:
+        lines = requires(PACKAGE) or []
+    except PackageNotFoundError:
+        return {}
+    pairs = [(found[1].lower(), found[2]) for line in lines if (found := REQUIREMENT.match(line))]
+    sizes = Counter(extra for _, extra in pairs)
+    largest_first = sorted(pairs, key=lambda pair: -sizes[pair[1]])
+    return {name: extra for name, extra in largest_first if extra not in NO_QUESTION}

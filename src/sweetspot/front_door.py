@@ -15,7 +15,7 @@ from functools import lru_cache, wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
-from sweetspot.errors import InputError, UnusualWarning
+from sweetspot.errors import InputError, UnusualWarning, missing_extras_named
 from sweetspot.plausibility import bounds, insisted, insisting
 from sweetspot.plausibility.table import TABLE
 from sweetspot.units.quantities import KIND_OF, in_si
@@ -158,7 +158,8 @@ def opened(function: Callable[..., Any]) -> Callable[..., Any]:
             names = [field.name for field in fields(setup) if field.name in given]
             given[name] = replace(setup, **{field: given.pop(field) for field in names})
         bound = inspect.BoundArguments(inner, given)
-        return function(*bound.args, **bound.kwargs)
+        with missing_extras_named():
+            return function(*bound.args, **bound.kwargs)
 
     door.__doc__ = _documented(inspect.getdoc(function) or "", setups.values())
     door.__module__ = "sweetspot"  # where it can be found again, for pickle and help

@@ -12,7 +12,7 @@ import pytest
 import sweetspot
 import sweetspot.cli
 from sweetspot import catalog
-from sweetspot.answers.schema import answer_schema, answer_types
+from sweetspot.answers.schema import answer_names, answer_schema, answer_type
 from tests.documented import TUTORIALS
 
 RACKET = catalog.implement("tennis-racket")
@@ -27,7 +27,7 @@ ASKED: Mapping[str, Callable[[], Any]] = {
     "certify": lambda: sweetspot.certify("college-alloy", uncertainty=True),
     "certify-paddle": lambda: sweetspot.certify_paddle("pickleball-paddle"),
     "certify-club": lambda: sweetspot.certify_club("golf-driver"),
-    "optimum": lambda: sweetspot.optimum("r161-ash", show="launch"),
+    "optimum": lambda: sweetspot.optimum("r161-ash", show=["launch"]),
     "drop": lambda: sweetspot.drop(height=1.0),
     "paper": lambda: sweetspot.paper("r161-ash"),
     "pendulum": lambda: sweetspot.pendulum(mass=0.87, balance_point=0.56, period=1.45, uncertainty=True),
@@ -42,22 +42,22 @@ OTHERWISE = {"season": "tests/seasons", "design": "seconds of searching", "outli
 """Answers that are validated where they are made, or take long; their schemas are valid ones."""
 
 
-@pytest.mark.parametrize("name", answer_types())
+@pytest.mark.parametrize("name", answer_names())
 def test_every_answer_has_a_valid_schema(name: str) -> None:
     for units in ("si", "us"):
-        schema = answer_schema(answer_types()[name], units)
+        schema = answer_schema(answer_type(name), units)
         jsonschema.Draft202012Validator.check_schema(schema)
         assert schema["required"] and schema["additionalProperties"] is False
 
 
 def test_no_answer_is_left_out() -> None:
-    assert {*ASKED, *OTHERWISE} == set(answer_types())
+    assert {*ASKED, *OTHERWISE} == set(answer_names())
 
 
 @pytest.mark.parametrize("name", ASKED)
 def test_an_answer_is_as_its_schema_says(name: str) -> None:
     answer: Any = ASKED[name]()
-    assert type(answer).__name__ == answer_types()[name].__name__
+    assert type(answer).__name__ == answer_type(name).__name__
     for units in ("si", "us"):
         told = json.loads(json.dumps(answer.to_dict(units), allow_nan=False))
         jsonschema.Draft202012Validator(answer_schema(type(answer), units)).validate(told)
@@ -66,10 +66,10 @@ def test_an_answer_is_as_its_schema_says(name: str) -> None:
 def test_another_unit_or_a_missing_number_is_noticed() -> None:
     told = sweetspot.hit("r161-ash", at=0.7).to_dict("us")
     with pytest.raises(jsonschema.ValidationError):
-        jsonschema.validate(told, answer_schema(answer_types()["hit"], "si"))
+        jsonschema.validate(told, answer_schema(answer_type("hit"), "si"))
     del told["exit_speed_mph"]
     with pytest.raises(jsonschema.ValidationError, match="exit_speed_mph"):
-        jsonschema.validate(told, answer_schema(answer_types()["hit"], "us"))
+        jsonschema.validate(told, answer_schema(answer_type("hit"), "us"))
 
 
 def test_the_command_prints_what_its_json_keeps_to(capsys: pytest.CaptureFixture[str]) -> None:

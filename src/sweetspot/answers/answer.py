@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from sweetspot.answers.records import Columns, PlainTable, Record, to_dict, with_intervals
+from sweetspot.errors import missing_extras_named
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import LEVEL
 from sweetspot.numerics.notebook_display import ShownInNotebooks
@@ -105,7 +106,8 @@ class Answer(ShownInNotebooks):
 
         Lists and curves are left out; `to_dict` has them.
         """
-        import polars
+        with missing_extras_named():
+            import polars
 
         return polars.DataFrame(dict(_cells(self.to_dict(units))))
 
@@ -121,6 +123,7 @@ def _cells(table: Mapping[str, Any], of: str = "") -> Iterator[tuple[str, list[A
 
 def frame_of(rows: Sequence[object], units: System) -> polars.DataFrame:
     """Return records as a frame of a row each."""
-    import polars
+    with missing_extras_named():
+        import polars
 
     return polars.DataFrame([to_dict(row, units) for row in rows], infer_schema_length=None)

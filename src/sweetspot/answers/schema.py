@@ -56,18 +56,24 @@ class Field(NamedTuple):
     schema: PlainTable
 
 
-def answer_types() -> dict[str, type]:
-    """Return the types of the public answers by the names of their questions.
+def answer_names() -> dict[str, str]:
+    """Return the public names of the types of answers by the names of their questions.
 
-    >>> answer_types()["fit-player"].__name__
+    >>> answer_names()["fit-player"]
     'FitPlayerAnswer'
     """
     import sweetspot
 
     names = [name for name in sweetspot.__all__ if name.endswith("Answer")]
-    return {
-        re.sub(r"(?<=.)(?=[A-Z])", "-", name.removesuffix("Answer")).lower(): getattr(sweetspot, name) for name in names
-    }
+    return {re.sub(r"(?<=.)(?=[A-Z])", "-", name.removesuffix("Answer")).lower(): name for name in names}
+
+
+def answer_type(question: str) -> type:
+    """Return the type of the answer to a question by its name."""
+    import sweetspot
+
+    found: type = getattr(sweetspot, answer_names()[question])
+    return found
 
 
 def answer_schema(kind: type, system: System = "si") -> PlainTable:

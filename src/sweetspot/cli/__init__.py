@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext, suppress
 from typing import Any
 
-from sweetspot.errors import SweetspotError, UnusualWarning
+from sweetspot.errors import SweetspotError, UnusualWarning, missing_extras_named
 from sweetspot.plausibility import insisting
 from sweetspot.reports.plain_signs import spelled_for
 
@@ -50,7 +50,7 @@ def main(arguments: list[str] | None = None) -> None:
         QUIET.set(any(each in given for each in NOT_A_WORD))
         SETTINGS.set(read_settings())
         waiting = nullcontext() if given[:1] and given[0] in INTERACTIVE else patience()
-        with held_output(), insisting(FORCE in given), _warnings_told(FORCE in given), waiting:
+        with held_output(), missing_extras_named(), insisting(FORCE in given), _warnings_told(FORCE in given), waiting:
             unasked = (FORCE, *NOT_A_WORD, *((SURE,) if given[:1] and given[0] in ALWAYS_SURE else ()))
             words = with_own_bat(understood([each for each in given if each not in unasked]), SETTINGS.get().bat)
             ASKED.set(tuple(given))

@@ -74,7 +74,7 @@ def schema(
     /,
 ) -> None:
     """Print the JSON schema of a file that describes a bat, ball, racket, club or stick, or of a command's answer."""
-    from sweetspot.answers.schema import answer_schema, answer_types
+    from sweetspot.answers.schema import answer_names, answer_schema, answer_type
     from sweetspot.catalog.files.ball import BallFile
     from sweetspot.catalog.files.implement import FILES
     from sweetspot.catalog.files.tables import FileTable
@@ -82,10 +82,10 @@ def schema(
     from sweetspot.errors import nearest_names
 
     files: dict[str, type[FileTable]] = {**FILES, "ball": BallFile}
-    answers = answer_types()
+    answers = answer_names()
     if kind not in {**files, **answers}:
         raise InputError(f"kind {kind!r} is not known. {nearest_names(kind, sorted({**files, **answers}))}")
-    print_json(files[kind].model_json_schema() if kind in files else answer_schema(answers[kind]))
+    print_json(files[kind].model_json_schema() if kind in files else answer_schema(answer_type(kind)))
 
 
 def validate(

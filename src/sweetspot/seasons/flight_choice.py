@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from sweetspot.catalog.aerodynamic_laws import DEFAULT_AERODYNAMICS, aerodynamics, usual_spin_line
 from sweetspot.catalog.ballparks import park
@@ -12,7 +13,9 @@ from sweetspot.errors import InputError
 from sweetspot.flight.air import USUAL_AIR, Air
 from sweetspot.flight.batted_spin import NO_SPIN
 from sweetspot.flight.park import Park
-from sweetspot.seasons.flight_columns import FlightSetting
+
+if TYPE_CHECKING:
+    from sweetspot.seasons.flight_columns import FlightSetting
 
 LEAST_DRAG, MOST_DRAG = 0.5, 2.0
 """Of the law's, that may be given: all balls of a sport are far inside [our choice]."""
@@ -54,6 +57,8 @@ class FlightChoice:
         >>> softball.major, softball.line == NO_SPIN
         (False, True)
         """
+        from sweetspot.seasons.flight_columns import FlightSetting  # which needs polars
+
         baseball = ball_sport(self.ball) == "baseball"
         return FlightSetting(
             ball(self.ball),

@@ -8,13 +8,11 @@ import threading
 import webbrowser
 from collections.abc import Iterable
 from contextlib import suppress
-from typing import TYPE_CHECKING
+
+import uvicorn
 
 from sweetspot.errors import InputError
 from sweetspot.web.limits import LARGEST_BODY
-
-if TYPE_CHECKING:
-    import uvicorn
 
 HEARTBEAT = 20.0
 """s between the pings that find sockets whose browser is gone."""
@@ -57,8 +55,6 @@ def serve(opened: socket.socket, *, names: Iterable[str] = (), open_page: str | 
 
 def server_for(*, names: Iterable[str] = ()) -> uvicorn.Server:
     """Return a server for the application with this project's limits."""
-    import uvicorn
-
     from sweetspot.web.server import create_app
     from sweetspot.web.silence import PatientProtocol
 
