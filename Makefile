@@ -6,7 +6,7 @@ BAT := r161-ash
 OUT := report
 unexport PYTHONDONTWRITEBYTECODE  # what one run has compiled the next need not, nor each program that a test starts
 
-.PHONY: report app browser test test-lowest quick-lowest coverage lint js types docs pins mutants evidence bench bench-quick format lock fuzz kills metamorphic house clean
+.PHONY: report app browser test test-lowest quick-lowest coverage lint js types docs sbom pins mutants evidence bench bench-quick format lock fuzz kills metamorphic house clean
 
 report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=folder
 	$(BIN)/sweetspot report $(BAT) --out $(OUT)
@@ -82,6 +82,10 @@ types: $(VENV)/.dev
 docs: $(VENV)/.dev  ## the documentation, warnings are errors
 	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build/html
 	@echo "open docs/_build/html/index.html"
+
+sbom: $(VENV)/.dev  ## build/sbom.cdx.json: everything that the pins bring, as CycloneDX
+	@mkdir -p build
+	$(BIN)/cyclonedx-py requirements requirements.txt --pyproject pyproject.toml --output-reproducible -o build/sbom.cdx.json
 
 pins: $(VENV)/.dev  ## whether every promised Python and system can install the pinned versions as wheels
 	$(BIN)/python tools/pins.py

@@ -82,6 +82,7 @@ def pages() -> dict[str, Callable[[], str]]:
         "choices": choices.choices_page,
         "sources": tables.sources_page,
         "licences": licences.licences_table,
+        "bundled": licences.bundled_table,
         "validation": tables.validation_page,
         "validation_summary": tables.validation_summary,
         "validation_subjects": tables.subjects_table,

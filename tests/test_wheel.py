@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -34,12 +35,47 @@ print(json.dumps({"where": sweetspot.__file__, "facts": facts}))
 """
 
 
+def build(root: Path, folder: Path, *what: str, **environment: str) -> dict[str, bytes]:
+    """Build wheel, sdist or both of a source tree and return the files by name."""
+    words = [sys.executable, "-m", "hatchling", "build", *(f"-t{each}" for each in what), "-d", str(folder)]
+    subprocess.run(words, cwd=root, check=True, capture_output=True, env={**os.environ, **environment})
+    return {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
+
+
+def test_a_build_has_the_same_bytes_at_any_time_and_place(tmp_path: Path) -> None:
+    """From the checkout, again under another clock's zone and another seed, and from the sdist unpacked elsewhere."""
+    first = build(ROOT, tmp_path / "first", "wheel", "sdist")
+    again = build(ROOT, tmp_path / "again", "wheel", "sdist", TZ="Pacific/Auckland", PYTHONHASHSEED="1", LC_ALL="C")
+    assert len(first) == 2 and first == again
+    (packed,) = (tmp_path / "first").glob("*.tar.gz")
+    shutil.unpack_archive(packed, tmp_path / "unpacked", filter="data")
+    (root,) = (tmp_path / "unpacked").iterdir()
+    for path in root.rglob("*"):
+        os.utime(path, (1_000_000_000, 1_000_000_000))
+    (name,) = (name for name in first if name.endswith(".whl"))
+    assert build(root, tmp_path / "elsewhere", "wheel")[name] == first[name]
+
+
+def test_the_bill_of_materials_lists_every_pin(tmp_path: Path) -> None:
+    recipe = re.search(
+        r"^sbom:.*\n(?:\t.*\n)*?\t\$\(BIN\)/(cyclonedx-py .*)$", (ROOT / "Makefile").read_text("utf-8"), re.M
+    )
+    assert recipe is not None
+    target = tmp_path / "sbom.json"
+    words = recipe[1].replace("build/sbom.cdx.json", str(target)).split()
+    subprocess.run([Path(sys.executable).with_name(words[0]), *words[1:]], cwd=ROOT, check=True, capture_output=True)
+    bill = json.loads(target.read_text(encoding="utf-8"))
+    pins = re.findall(r"^([\w.-]+)==([^\s;]+)", (ROOT / "requirements.txt").read_text("utf-8"), re.MULTILINE)
+    listed = {(part["name"], part["version"]) for part in bill["components"]}
+    assert bill["bomFormat"] == "CycloneDX" and bill["metadata"]["component"]["name"] == "sweetspot"
+    assert len(pins) > 40 and set(pins) == listed
+
+
 @pytest.fixture(scope="module")
 def outside(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with nothing in it but what the wheel brings."""
     folder = tmp_path_factory.mktemp("wheel")
-    build = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)]
-    subprocess.run(build, cwd=ROOT, check=True, capture_output=True)
+    build(ROOT, folder, "wheel")
     (wheel,) = folder.glob("*.whl")
     with zipfile.ZipFile(wheel) as packed:
         packed.extractall(folder / "installed")
