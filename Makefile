@@ -6,7 +6,7 @@ BAT := r161-ash
 OUT := report
 unexport PYTHONDONTWRITEBYTECODE  # what one run has compiled the next need not, nor each program that a test starts
 
-.PHONY: report app browser test test-lowest quick-lowest coverage lint js types docs sbom pins mutants evidence bench bench-quick format lock fuzz kills metamorphic house clean
+.PHONY: report app browser test test-lowest quick-lowest coverage lint js types docs sbom pins mutants random-mutants evidence bench bench-quick format lock fuzz kills metamorphic house clean
 
 report: $(VENV)/.run  ## where does this bat hit best? BAT=name or file, OUT=folder
 	$(BIN)/sweetspot report $(BAT) --out $(OUT)
@@ -92,6 +92,9 @@ pins: $(VENV)/.dev  ## whether every promised Python and system can install the 
 
 mutants: $(VENV)/.dev  ## deliberate mistakes in physics and catalogue that the tests must notice; goes on where it stopped
 	$(BIN)/python tools/mutants.py
+
+random-mutants: $(VENV)/.dev  ## N mistakes at places chosen by chance (SEED) that the nearest tests must notice
+	$(BIN)/python -m tools.random_mutants $(or $(N),50) --seed $(or $(SEED),1)
 
 evidence: $(VENV)/.dev  ## which published rows notice a constant of the physics that is wrong; goes on where it stopped
 	$(BIN)/python tools/evidence.py

@@ -225,8 +225,8 @@ def noticed(mutation: Mutation, runner: Runner) -> bool:
         os.utime(changed, ns=(stat.st_atime_ns, stat.st_mtime_ns))
 
 
-def fail(tests: Sequence[str], runner: Runner) -> bool:
-    """Return whether tests fail against a runner's copy of the package as it is.
+def fail(tests: Sequence[str], runner: Runner, *, doctests: Sequence[Path] = ()) -> bool:
+    """Return whether tests, and the examples of files of the copy, fail against a runner's copy of the package.
 
     Raises
     ------
@@ -234,7 +234,8 @@ def fail(tests: Sequence[str], runner: Runner) -> bool:
         when they take longer than `PATIENCE`.
     """
     options = ["-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--no-header", "--hypothesis-profile=few"]
-    code = runner.exit_code([*options, *(str(TESTS / name) for name in tests)])
+    examples = ["--doctest-modules", *map(str, doctests)] if doctests else []
+    code = runner.exit_code([*options, *(str(TESTS / name) for name in tests), *examples])
     if code is None:
         raise TimeoutError(" ".join(tests))
     if code not in (0, 1, 2):  # 2: the tests could not even be collected
