@@ -1,4 +1,4 @@
-"""Whether a player's advice can be trusted: ``python -m studies.player_advice --players 100``.
+"""Whether a player's advice can be trusted: ``python -m studies.player_advice``, four minutes of a core.
 
 The players are made up and their truth is known: from light to heavy swingers and from tip to handle hitters, as the
 prior has them, with five bats of one outline from 27 to 35 oz. Each single bat is livelier or deader than described, as
@@ -13,6 +13,7 @@ import argparse
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 from scipy.stats import spearmanr
@@ -41,6 +42,8 @@ SWUNG = {1: (0,), 2: (0, 4), 5: (0, 1, 2, 3, 4)}
 PITCH = 60 * MPH
 TRUE_SWINGS = 20_000
 """Swings that the truth is the mean of."""
+CHANCES = (0.0, 0.35, 0.45, 0.6, 0.8, 1.01)
+"""Ends of the stretches of stated chances that are compared with what came true."""
 SHIFT = NAMES.index("efficiency_shift")
 
 
@@ -135,9 +138,9 @@ def true_expectation(advice: Advice, player: Array, seed: int) -> Expectation:
 def main(arguments: Sequence[str] | None = None) -> None:
     """Print how often named bats are the best, and how well advice follows the truth."""
     options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--players", type=int, default=100)
-    options.add_argument("--swings", type=int, nargs="+", default=[5, 20, 50, 200, 400])
-    options.add_argument("--bats", type=int, nargs="+", default=[1, 2, 5], choices=sorted(SWUNG))
+    options.add_argument("--players", type=int, default=300)
+    options.add_argument("--swings", type=int, nargs="+", default=[200])
+    options.add_argument("--bats", type=int, nargs="+", default=[2], choices=sorted(SWUNG))
     options.add_argument("--seed", type=int, default=5)
     given = options.parse_args(arguments)
     players = prior_draws(given.players, seed=given.seed)
@@ -151,15 +154,24 @@ def main(arguments: Sequence[str] | None = None) -> None:
             everything += outcomes
             print(f"{bats} bats, {count:3} swings: {summary(outcomes)}", flush=True)
     print(f"all: {summary(everything)}")
+    for low, high in pairwise(CHANCES):
+        some = [result for result in everything if low <= result.chance < high]
+        if some:
+            right = np.mean([result.likeliest == result.best for result in some])
+            print(f"chance {low:.2f} to {high:.2f}: {len(some)}, right {right:.2f}, promised {_mean_chance(some):.2f}")
+
+
+def _mean_chance(outcomes: Sequence[Outcome]) -> float:
+    return float(np.mean([result.chance for result in outcomes]))
 
 
 def summary(outcomes: Sequence[Outcome]) -> str:
     """Return how often a bat is named and right, the likeliest is right, and the rank correlation of 3 oz more."""
     named = [one for one in outcomes if one.named]
     right = np.mean([one.named == one.best for one in named]) if named else float("nan")
-    promised = np.mean([one.chance for one in named]) if named else float("nan")
+    promised = _mean_chance(named) if named else float("nan")
     likeliest = np.mean([one.likeliest == one.best for one in outcomes])
-    chance = np.mean([one.chance for one in outcomes])
+    chance = _mean_chance(outcomes)
     rank = spearmanr([one.heavier for one in outcomes], [one.true_heavier for one in outcomes]).statistic
     return (
         f"named {len(named)} of {len(outcomes)}, right {right:.2f}, promised {promised:.2f}; likeliest right "

@@ -21,10 +21,11 @@ from sweetspot.player.best_bat import BatChance, BatChoice, bat_choice, width_ra
 from sweetspot.player.candidate import Candidate, candidates
 from sweetspot.player.expected_gain import NO_CHANGE, Change, Expectation, expectation
 from sweetspot.player.goal import Goal, carry_table
+from sweetspot.player.model import PlayerModel
 from sweetspot.player.posterior import NOTHING_LEARNED, PlayerPosterior, interval
 from sweetspot.player.prior import NAMES
 from sweetspot.player.standing import PlayerStanding, player_standing
-from sweetspot.player.unlike_bats import Liveliness, liveliness
+from sweetspot.player.unlike_bats import Liveliness, gains_of_several, liveliness
 from sweetspot.units import INCH, MPH
 
 PLACES = np.arange(2.0, 11.01, 0.5) * INCH
@@ -221,8 +222,8 @@ def advise(
     named = {key.removeprefix("bat:"): gained for key, gained in by_key.items() if key.startswith("bat:")}
     gained, usual = ({name: both[side] for name, both in named.items()} for side in (0, 1))
     pairs, seldom = compared_pairs(swung, gained, usual, goal=goal)
-    unlike = {option.candidate.bat.name for option in options if not option.length_known}
-    comparable = [name for name in gained if name not in unlike]
+    alike = [option for option in options if option.length_known and option.candidate.key.startswith("bat:")]
+    comparable = [reference, *(_table_of(option.candidate, model) for option in alike)]
     place, place_gain, curve = _best_place(asked, PLACES, "position", now)
     height, height_gain, _ = _best_place(asked, OFFSETS, "offset", now)
     return Advice(
@@ -234,7 +235,7 @@ def advise(
         faults=(*not_read, *not_met),
         pairs=pairs,
         seldom=seldom,
-        choice=bat_choice({name: gained[name] for name in comparable}, {name: usual[name] for name in comparable}),
+        choice=bat_choice(gains_of_several(asked, comparable, swung), gains_of_several(anybody, comparable)),
         end_loaded=interval(by_key["end-loaded"][0] - by_key["knob-loaded"][0]),
         contact_point=place,
         contact_gain=place_gain,
@@ -287,12 +288,11 @@ def _tried(
 ) -> tuple[list[Option], dict[str, tuple[Array, Array]], list[str]]:
     """Return the expected goal with each bat: as options, by key over the draws; and the faults of the others."""
     model, goal = asked.player.model, asked.player.goal
-    reference = model.bats[0]
     lengths = np.array([table.bat.length for table in model.bats])
     options, by_key, faults = [], {}, []
     for number, candidate in enumerate(bats, start=1):
         try:
-            table = response_of(candidate.bat, ball=model.ball, axis=model.law.axis, like=reference)
+            table = _table_of(candidate, model)
         except SweetspotError as error:
             faults.append(f"{candidate.label}: {error}")
             continue
@@ -313,6 +313,10 @@ def _tried(
         if progress is not None:
             progress(number, len(bats))
     return options, by_key, faults
+
+
+def _table_of(candidate: Candidate, model: PlayerModel) -> BatResponse:
+    return response_of(candidate.bat, ball=model.ball, axis=model.law.axis, like=model.bats[0])
 
 
 def _changes() -> dict[str, Change]:

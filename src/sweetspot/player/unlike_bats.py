@@ -23,10 +23,14 @@ import numpy as np
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.player.bat_pairs import MeasuredBat
-from sweetspot.player.bat_response import response_of
+from sweetspot.player.bat_response import BatResponse, response_of
 from sweetspot.player.expected_gain import Expectation
 from sweetspot.player.goal import Goal
 from sweetspot.player.prior import fixed
+
+REPEATS = 10
+"""Draws of how lively bats are for each draw of the player, where one of several is chosen: chances are then within one
+or two points."""
 
 
 @dataclass(frozen=True)
@@ -63,12 +67,33 @@ def even_normals(count: int, *, seed: int) -> Array:
     return np.random.default_rng(seed).permutation(np.asarray(ndtri((np.arange(count) + 0.5) / count)))
 
 
-def liveliness(asked: Expectation, swung: Sequence[MeasuredBat] = ()) -> Liveliness:
+def gains_of_several(
+    asked: Expectation, tables: Sequence[BatResponse], swung: Sequence[MeasuredBat] = ()
+) -> Mapping[str, Array]:
+    """Return the goal expected with each of several bats by name, each draw of the player `REPEATS` times.
+
+    A goal is taken as a straight line in the efficiency; so there are draws enough to tell chances of bats that are
+    nearly as good as each other.
+
+    ``tables``: the player's own bat first. ``swung``: bats with their means; none of anybody.
+    """
+    lively, step = liveliness(asked, swung, repeats=REPEATS), fixed("bat_description")
+    gained = {}
+    for place, table in enumerate(tables):
+        now = asked.of(table)
+        gained[table.bat.name] = np.repeat(now, REPEATS)
+        if place:
+            slope = (asked.of(table, livelier=np.full(len(now), step)) - now) / step
+            gained[table.bat.name] += np.repeat(slope, REPEATS) * lively.of(table.bat.name)
+    return gained
+
+
+def liveliness(asked: Expectation, swung: Sequence[MeasuredBat] = (), *, repeats: int = 1) -> Liveliness:
     """Return how lively the player's bats are, as far as their mean exit speeds tell.
 
-    ``swung``: with their means; none of anybody.
+    ``swung``: with their means; none of anybody. ``repeats``: draws of it for each of the player's.
     """
-    model, count = asked.model, len(asked.draws)
+    model, count = asked.model, len(asked.draws) * repeats
     reference = model.bats[0]
     players_bat = single_bat(reference.bat.name, count)
     mine = next((bat.exit_speed for bat in swung if bat.bat == reference.bat), None)
@@ -81,9 +106,9 @@ def liveliness(asked: Expectation, swung: Sequence[MeasuredBat] = ()) -> Livelin
     noise = np.array([_error(mine), *(_error(bat.exit_speed) for bat in others if bat.exit_speed is not None)])
     for place, bat in enumerate(others):
         table = response_of(bat.bat, ball=model.ball, axis=model.law.axis, like=reference)
-        closing[:, place] = asked.pitch_speed + asked.bat_speed(table)
+        closing[:, place] = np.repeat(asked.pitch_speed + asked.bat_speed(table), repeats)
         measured = (bat.exit_speed or mine).value - mine.value
-        beyond[:, place] = (measured - (fast.of(table) - now)) / closing[:, place]
+        beyond[:, place] = (measured - np.repeat(fast.of(table) - now, repeats)) / closing[:, place]
     single = np.stack([single_bat(bat.bat.name, count) for bat in others], axis=1)
     errors = noise * np.stack([even_normals(count, seed=place) for place in range(len(noise))], axis=1)
     off = beyond - (single - players_bat[:, None]) - (errors[:, 1:] - errors[:, :1]) / closing
