@@ -320,6 +320,7 @@ def compare(
     *implements: Tool,
     what_if: str | Sequence[str] = ...,
     swing_law: str | None = None,
+    player: Path | str | None = None,
     uncertainty: bool = False,
     pitch_speed: Amount | None = None,
     bat_speed: Amount | None = None,

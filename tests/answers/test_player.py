@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+import sweetspot
 from sweetspot import catalog
 from sweetspot.answers.player import FitPlayerAnswer, fit_player_answer
 from sweetspot.answers.player_question import FitPlayerQuestion
@@ -81,3 +83,17 @@ def test_a_team_is_sorted_by_what_is_sure(file: Path) -> None:
         assert float(batter.surely_gained) == pytest.approx(max(sure, default=0.0)) and batter.best is None
         assert batter.told_by_swings == batter.advice.worth["position_spread"].own
     assert team._repr_html_().count("For everybody, not by these swings") == 1
+
+
+def test_other_answers_take_the_player_from_its_file(tmp_path: Path, file: Path) -> None:
+    """The speed with a bat of the same length is the same in both answers, and so is what is not known of the law."""
+    heavy = catalog.bat("r161-ash").weighted(position=0.7, mass=0.08).replaced(name="heavy")
+    fitted = fit_player_answer(FitPlayerQuestion(file, batter="Ann", other_bats=[heavy]))
+    answer = tmp_path / "player.json"
+    answer.write_text(json.dumps(fitted.to_dict()), encoding="utf-8")
+    first, second = sweetspot.compare("r161-ash", heavy, player=answer).bats
+    (tried,) = (option for option in fitted.options if option.key == "bat:heavy")
+    assert float(first.bat_speed) == pytest.approx(float(fitted.parameters["bat_speed"].value), rel=1e-6)
+    assert float(second.bat_speed) == pytest.approx(float(tried.bat_speed), rel=2e-3)
+    with_law = sweetspot.compare("r161-ash", heavy, player=answer, bat_speed=30.0).bats
+    assert float(with_law[0].bat_speed) == pytest.approx(30.0)  # what is given counts

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from scipy.special import ndtri
 
+from sweetspot import catalog
 from sweetspot.designs.batter import FROM_TIP, contacts_at, fitted_contact, known_contact, normal_contact
-from sweetspot.designs.batter_files import contacts_of_file, fitted_player
+from sweetspot.designs.batter_files import contacts_of_file, fitted_player, law_of_player
 from sweetspot.errors import InputError
 from sweetspot.numerics.interval import LEVEL, REACH
 from sweetspot.units import INCH
@@ -126,6 +127,7 @@ def test_a_fitted_player(tmp_path: Path) -> None:
         for number, name in enumerate(("position", "position_spread", "offset", "offset_spread"))
     }
     parameters["bat_speed"] = {"value_m_s": 31.0}
+    parameters["exponent"] = {"value": 0.35, "low": 0.3, "high": 0.4}
     file.write_text(json.dumps({"parameters": parameters, "pitch_speed_m_s": 38.0}), encoding="utf-8")
     found = fitted_player(file)
     assert found["position"] == pytest.approx(0.1) and found["bat_speed"] == 31.0 and found["pitch_speed"] == 38.0
@@ -133,6 +135,8 @@ def test_a_fitted_player(tmp_path: Path) -> None:
     for level, reach in ({"interval_level": LEVEL}, REACH), ({}, 1.959964):  # 0.1 wrote 95 % and did not say so
         file.write_text(json.dumps({"parameters": parameters, "pitch_speed_m_s": 38.0} | level), encoding="utf-8")
         assert fitted_player(file)["position_doubt"] == pytest.approx(0.04 / reach, rel=1e-6)
+    law = law_of_player(catalog.swing_law(), found)
+    assert law.exponent == 0.35 and law.exponent_spread == pytest.approx(0.05 / 1.959964, rel=1e-6)
     file.write_text("{}", encoding="utf-8")
     with pytest.raises(InputError, match="not what fit-player writes: it has no parameters"):
         fitted_player(file)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import starmap
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sweetspot import catalog
@@ -153,6 +154,7 @@ def compare(
     *implements: Loaded,
     what_if: str | Sequence[str] = (),
     swing_law: str | None = None,
+    player: Path | str | None = None,
     setup: HitSetup = AS_USUAL,
     uncertainty: bool = False,
 ) -> CompareAnswer:
@@ -165,6 +167,7 @@ def compare(
         "shaved 0.2 mm", "rolled", "broken-in", "moisture 14 %", "drilled 10 in", "cork 10 in x 1 in", "rubber", "foam",
         "cup 0.9 in", "cut 0.5 in", "handle -0.03 in", "taper 1 in"; several on one after commas.
     swing_law : name of the law by which speed depends on the bat; None: the sport's.
+    player : what fit-player answered, as JSON: speeds of bat and ball, and how much a heavier bat slows that player.
     uncertainty : whether the intervals come from draws, with what they come from.
 
     Raises
@@ -179,6 +182,8 @@ def compare(
     if not implements:
         raise InputError("no bat was given; name one or more, for example r161-ash and youth-30")
     law = _law(implements[0], swing_law, setup)
+    if player is not None:
+        law, setup = _of_player(Path(player), implements[0].implement, law, setup)
     texts = [what_if] if isinstance(what_if, str) else list(what_if)
     if not texts:
         return _compared(implements, law, setup, drawn=uncertainty)
@@ -190,6 +195,21 @@ def compare(
     made = [changed(first.implement, text) for text in texts]
     every = [first, *(Loaded(each.implement, first.table) for each in made)]
     return _compared(every, law, setup, drawn=uncertainty, ends=[None, *(each.ends for each in made)])
+
+
+def _of_player(
+    file: Path, implement: Implement, law: SwingLaw | None, setup: HitSetup
+) -> tuple[SwingLaw | None, HitSetup]:
+    """Return swing law and setup with a fitted player's numbers where none are given."""
+    from sweetspot.designs.batter_files import fitted_player, law_of_player
+
+    fitted = fitted_player(file)
+    if setup.pitch_speed is None:
+        setup = replace(setup, pitch_speed=fitted["pitch_speed"])
+    if setup.bat_speed is None:
+        measured_at = implement.length - fitted["bat_speed_from_tip"]
+        setup = replace(setup, bat_speed=fitted["bat_speed"], bat_speed_at=measured_at)
+    return None if law is None else law_of_player(law, fitted), setup
 
 
 def what_if(

@@ -8,7 +8,7 @@ from pathlib import Path
 from sweetspot import catalog
 from sweetspot.analysis.bat_analysis import analyse
 from sweetspot.designs.batter import Batter, ContactPlaces, contacts_at, fitted_contact, known_contact, usual_batter
-from sweetspot.designs.batter_files import contacts_of_file, fitted_player
+from sweetspot.designs.batter_files import contacts_of_file, fitted_player, law_of_player
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.motion.swing import Conditions
@@ -79,9 +79,9 @@ class BatterSetup:
             offset_spread=spread,
             bat_speed=usual.get("bat_speed", conditions.swing.bat_speed),
             pitch_speed=usual.get("pitch_speed", conditions.pitch.speed),
-            law=self._law(implement),
+            law=self._law(implement, usual),
             doubt=self.doubt,
-            speed_from_tip=implement.length - conditions.swing.measured_at,
+            speed_from_tip=usual.get("bat_speed_from_tip", implement.length - conditions.swing.measured_at),
             sample=contacts if contacts.balls else None,
         )
 
@@ -102,13 +102,15 @@ class BatterSetup:
         doubts = usual["position_doubt"], usual["position_spread_doubt"]
         return fitted_contact((mean, doubts[0]), (scatter, doubts[1]), balls=usual["balls"])
 
-    def _law(self, implement: Implement) -> SwingLaw | None:
+    def _law(self, implement: Implement, usual: dict[str, float]) -> SwingLaw | None:
         if self.swing_law == "none":
             if self.exponent is not None:
                 raise InputError("exponent belongs to a law; leave out the swing law none")
             return None
         law = catalog.swing_law(self.swing_law or catalog.sport(implement.sport).swing_law)
-        return law if self.exponent is None else replace(law, exponent=self.exponent)
+        if self.exponent is not None:
+            return replace(law, exponent=self.exponent)
+        return law_of_player(law, usual) if self.player is not None else law
 
 
 def _on_a_face(implement: Implement, conditions: Conditions) -> dict[str, float]:

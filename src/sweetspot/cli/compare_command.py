@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
@@ -25,6 +26,9 @@ class EffortOptions:
 
     swing_law: Annotated[
         str | None, Parameter(help="How bat speed depends on the bat: baseball or slow-pitch; default: its sport's.")
+    ] = None
+    player: Annotated[
+        Path | None, Parameter(help="Answer of fit-player --format json: speeds and swing law of that player.")
     ] = None
 
 
@@ -80,6 +84,8 @@ def compare(
             raise InputError("a what-if table takes one bat and --rows, with or without --columns, and no --what-if")
         if uncertainty:
             raise InputError("--uncertainty applies to bats side by side; leave it out, or leave out --rows")
+        if effort.player is not None:
+            raise InputError("--player applies to bats side by side; leave it out, or leave out --rows")
         _bat(first)
         question = what_if_question(
             loaded[0], table.sides(), swing_law=law, setup=swing.setup(first, errors=False), show=table.answer
@@ -90,7 +96,7 @@ def compare(
     if texts and len(bats) != 1:
         raise InputError(f"--what-if or --add was given with {len(bats)} bats; it takes one")
     setup = swing.setup(first)
-    answer = asked(*loaded, what_if=texts, swing_law=law, setup=setup, uncertainty=uncertainty)
+    answer = asked(*loaded, what_if=texts, swing_law=law, player=effort.player, setup=setup, uncertainty=uncertainty)
     return present(compare_document(answer), output)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from statistics import NormalDist
 from typing import Any
@@ -13,6 +14,8 @@ import numpy as np
 
 from sweetspot.designs.batter import ContactPlaces, contacts_at
 from sweetspot.errors import InputError, nearest_names
+from sweetspot.motion.swing import SPEED_FROM_TIP
+from sweetspot.motion.swing_law import GREATEST_EXPONENT, SwingLaw
 from sweetspot.numerics.text_files import read_text
 from sweetspot.plausibility import parse
 from sweetspot.tables.cells import with_unit
@@ -21,7 +24,7 @@ from sweetspot.tables.text_encoding import is_number, table_rows
 from sweetspot.units import format_length
 
 MOST_BYTES = 5_000_000
-LEARNED = ("position", "position_spread", "offset", "offset_spread", "bat_speed")
+LEARNED = ("position", "position_spread", "offset", "offset_spread", "bat_speed", "exponent")
 ENDS = ("low", "high")
 UNNAMED_LEVEL = 0.95
 """Level of the intervals of files that do not name it, as fit-player of 0.1 wrote them."""
@@ -111,9 +114,10 @@ def _of_batter(
 def fitted_player(path: Path) -> dict[str, float]:
     """Return a player's parameters from `sweetspot fit-player --format json`: position, offset, their spreads, speeds.
 
-    With them come ``position_doubt`` in m and ``position_spread_doubt`` (of the logarithm), each one standard
-    deviation by the file's intervals, whose level it names, and ``balls``: how many swings were used; 0 where the file
-    does not say.
+    With them come the exponent of bat speed against moment of inertia; ``position_doubt`` in m, ``exponent_doubt``, and
+    ``position_spread_doubt`` (of the logarithm), each one standard deviation by the file's intervals, whose level it
+    names; ``bat_speed_from_tip``, where bat speed is measured; and ``balls``: how many swings were used; 0 where the
+    file does not say.
     """
     text = read_text(path, most=MOST_BYTES, advice=ADVICE)
     try:
@@ -129,6 +133,9 @@ def fitted_player(path: Path) -> dict[str, float]:
         values["position_doubt"] = (high - low) / (2 * reach)
         low, high = (_learned(parameters["position_spread"], end) for end in ENDS)
         values["position_spread_doubt"] = math.log(high / low) / (2 * reach)
+        low, high = (_learned(parameters["exponent"], end) for end in ENDS)
+        values["exponent_doubt"] = (high - low) / (2 * reach)
+        values["bat_speed_from_tip"] = float(table.get("bat_speed_from_tip_m", SPEED_FROM_TIP))
         values["balls"] = float(table.get("swings", {}).get("used", 0))
     except (ValueError, KeyError, TypeError, AttributeError, ArithmeticError) as error:
         lacks = (
@@ -138,6 +145,12 @@ def fitted_player(path: Path) -> dict[str, float]:
         )
         raise InputError(f"{path} is not what fit-player writes: it {lacks}; {ADVICE}") from None
     return values
+
+
+def law_of_player(law: SwingLaw, player: Mapping[str, float]) -> SwingLaw:
+    """Return a swing law with the exponent that a player's swings leave likely, of `fitted_player`."""
+    exponent = min(max(round(player["exponent"], 3), 0.0), GREATEST_EXPONENT)  # no more digits are known
+    return replace(law, exponent=exponent, exponent_spread=player["exponent_doubt"])
 
 
 def _learned(numbers: Mapping[str, float | str], start: str = "value") -> float:
