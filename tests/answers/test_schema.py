@@ -36,6 +36,7 @@ ASKED: Mapping[str, Callable[[], Any]] = {
     "calibrate": lambda: sweetspot.calibrate("r161-ash", mass="31 oz"),
     "fit-player": lambda: sweetspot.fit_player(TUTORIALS / "coach" / "swings.csv"),
     "plan-swings": lambda: sweetspot.plan_swings("r161-ash", "mlb-a"),
+    "kit": lambda: sweetspot.kit("r161-ash", pieces=3),
     "match": lambda: sweetspot.match(RACKET, RACKET.replaced(name="heavier", mass=0.33, moi=0.0335)),
 }
 OTHERWISE = {"season": "tests/seasons", "design": "seconds of searching", "outline": "a drawing"}

@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 
 from sweetspot import catalog
-from sweetspot.answers.rank import RankAnswer, greatest_scatter, rank_bats
+from sweetspot.answers.rank import RankAnswer, RankQuestion, greatest_scatter, rank_answer, rank_bats
 from sweetspot.calibration.bat_table import STIFFER, at_usual_moisture, read_bats
 from sweetspot.calibration.measured import Measured
 from sweetspot.calibration.measurements import Measurement, predicted
 from sweetspot.calibration.mode_naming import ModeName
-from sweetspot.calibration.posterior import calibrate
+from sweetspot.calibration.posterior import BatPosterior, calibrate
 from sweetspot.calibration.unknowns import described, deviated, unknowns_of
 from sweetspot.catalog.standard_hit import standard_conditions
 from sweetspot.errors import InputError, UnusualWarning
@@ -23,6 +23,7 @@ from sweetspot.reports.calibration.ranking_report import ranking_words
 from sweetspot.reports.quantities import US
 from sweetspot.reports.sentences import read
 from sweetspot.tables.headings import GivenColumns
+from sweetspot.units import OUNCE
 
 MODEL = catalog.bat("r161-ash")
 LINE, UNKNOWNS = described(MODEL), unknowns_of(MODEL)
@@ -243,3 +244,36 @@ def test_twenty_swings_are_twenty_times_one(tmp_path: Path) -> None:
     path.write_text("name,twenty_swings_s,pendulum_s\na,29.1,1.455\nb,29.1,1.455\n")
     with pytest.raises(InputError, match="line 2: both one swing and twenty swings were timed"):
         read_bats(path)
+
+
+def test_of_many_readings_one_may_lie_three_sigma_off() -> None:
+    """A pendulum 3.15 sigma off is left out among 2 bats (8 readings), and stays, marked, among 12 (48)."""
+
+    def with_slow_pendulum(slower: float) -> BatPosterior:
+        values = predicted(LINE, WANTED) + np.array([0, 0, slower, 0])
+        given = zip(WANTED, values, strict=True)
+        readings = [replace(one, value=Measured(float(value), one.value.error)) for one, value in given]
+        return calibrate(LINE, UNKNOWNS, readings)
+
+    per_second = abs(float(with_slow_pendulum(0.01).pulls[2])) / 0.01
+    slow, usual = with_slow_pendulum(3.15 / per_second), with_slow_pendulum(0.0)
+    assert 3.05 < abs(slow.contradictions["pendulum"]) < 3.25
+    conditions, law = standard_conditions(MODEL), catalog.swing_law()
+    few = rank_bats({"slow": slow, "a": usual, "b": usual}, conditions=conditions, law=law)
+    assert [bat.name for bat in few.unranked] == ["slow"]
+    many = {"slow": slow, **{str(number): usual for number in range(11)}}
+    ranking = rank_bats(many, conditions=conditions, law=law)
+    assert not ranking.unranked
+    marked = {bat.name: bat.far_off for bat in ranking.bats if bat.far_off}
+    assert marked == {"slow": tuple(slow.contradictions)}
+
+
+def test_a_weight_is_told_as_it_stood_on_the_scale(tmp_path: Path) -> None:
+    """31 oz at 9 % of moisture are 31.85 oz at 12 %; a bat that was not weighed has no such weight."""
+    path = tmp_path / "bats.csv"
+    path.write_text("name,mass_oz,balance_point_in,moisture_percent\na,31.0±0.05,22.1,9±0.5\nb,,22.0,9±0.5\n")
+    question = RankQuestion(MODEL, read_bats(path), standard_conditions(MODEL), catalog.swing_law())
+    bats = {bat.name: bat for bat in rank_answer(question).bats}
+    assert bats["a"].weighed == pytest.approx(31.0 * OUNCE)
+    assert bats["a"].mass == pytest.approx(31.0 * OUNCE * 1.12 / 1.09, rel=2e-3)
+    assert bats["b"].weighed is None

@@ -30,6 +30,7 @@ SMALL: dict[str, str] = {
     "player_coverage": "--players 1 --swings 20",
     "published_intervals": "--only cricket-bat",
     "ranking_coverage": "--count 1",
+    "ranking_tables": "--count 1",
     "recorder_bats": "--only telephone --kinds golf",
     "recorder_taps": "--only telephone",
     "reliability": "--leagues 4 --limits 0",

@@ -20,7 +20,7 @@ from sweetspot.calibration.bat_table import check_same_model
 from sweetspot.calibration.calibrated_file import properties
 from sweetspot.calibration.measured import CalibratedValue, Measured
 from sweetspot.calibration.measurements import Measurement
-from sweetspot.calibration.posterior import BatPosterior, calibrate
+from sweetspot.calibration.posterior import CONTRADICTION, BatPosterior, calibrate
 from sweetspot.calibration.unknowns import DIAMETER_SPREAD, described, unknowns_of
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
@@ -39,7 +39,8 @@ REACHED = (0.08, 0.26)
 ON_FACE = 0.1
 """Of a face's length at either end that is not looked at (our choice)."""
 BY_CHANCE = 0.05
-"""Probability that identical bats are reported to differ: by their scatter, and in any property at all."""
+"""Probability that identical bats are reported to differ: by their scatter, and in any property at all; and that a
+table of honest measurements loses a bat."""
 
 
 @dataclass(frozen=True)
@@ -93,11 +94,13 @@ class RankedBat:
     exit_speed : at its best place, for this player and the mean ball; the median, and the ball's doubt is not in it.
     best_chance : probability of being the best of all ranked; None: it is not ranked.
     best_position : from the knob end, where it hits best.
-    mass, moi_6in, swing_weight : the most likely; a bat has a moment of inertia about 6 in, other implements a swing
-        weight about ``moi_axis``.
+    mass, moi_6in, swing_weight : the most likely, of wood at 12 % of moisture where a moisture was given; a bat has a
+        moment of inertia about 6 in, other implements a swing weight about ``moi_axis``.
+    weighed : as it stood on the scale, as moist as it was; None: it was not weighed.
     differs : properties that lie off the mean of the other bats by more than what is not known makes of alike bats.
     contradictions : measurements of it that contradict the others, and expectations of its kind that contradict these,
         with how many sigma.
+    far_off : measurements among these that it is ranked in spite of: of so many in the table one lies there by chance.
     """
 
     name: str
@@ -105,12 +108,14 @@ class RankedBat:
     best_chance: float | None
     best_position: Annotated[float, LENGTH]
     mass: Annotated[float, MASS]
+    weighed: Annotated[float | None, MASS]
     moi_6in: Annotated[float | None, MOI] = None
     swing_weight: Annotated[float | None, MOI] = None
     moi_axis: Annotated[float | None, LENGTH] = None
     properties: RankedProperties
     differs: tuple[str, ...]
     contradictions: Mapping[str, float]
+    far_off: tuple[str, ...]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -194,6 +199,19 @@ def greatest_scatter(count: int) -> float:
     return math.sqrt(float(chdtri(count - 1, BY_CHANCE)) / (count - 1))
 
 
+def farthest_by_chance(count: int) -> float:
+    """Return the sigma beyond which one of so many honest measurements lies in one table of twenty (Bonferroni).
+
+    Never less than what contradicts the others of a single bat.
+
+    >>> farthest_by_chance(3), round(farthest_by_chance(60), 2)
+    (3.0, 3.34)
+    """
+    from scipy.special import ndtri
+
+    return max(CONTRADICTION, -float(ndtri(BY_CHANCE / (2 * count))))
+
+
 def rank_bats(
     posteriors: Mapping[str, BatPosterior], *, conditions: Conditions, law: SwingLaw | None, seed: int = 1
 ) -> RankAnswer:
@@ -218,10 +236,12 @@ def rank_bats(
             best_chance=chances.get(name),
             best_position=float(places[speeds.best]),
             mass=found[name].mass.value.value,
+            weighed=_weighed(posteriors[name].measurements),
             **_turning(model, found[name].moi.value.value),
             properties=found[name],
             differs=_differing(compared, name) if name in compared else (),
             contradictions=posteriors[name].contradictions,
+            far_off=tuple(_disagreeing(posteriors[name])) if name in compared else (),
         )
         for name, speeds in fastest_first
     ]
@@ -251,7 +271,8 @@ def _agreeing(posteriors: Mapping[str, BatPosterior]) -> list[str]:
     """Return the names of the bats whose measurements agree, of which a ranking needs two; see `rank_bats`."""
     if len(posteriors) < 2:
         raise InputError(f"{len(posteriors)} bat was given; a ranking needs two or more")
-    sound = [name for name, posterior in posteriors.items() if not _disagreeing(posterior)]
+    beyond = farthest_by_chance(sum(len(posterior.measurements) for posterior in posteriors.values()))
+    sound = [name for name, posterior in posteriors.items() if not _disagreeing(posterior, beyond)]
     if len(sound) < 2:
         off = "; ".join(
             f"{name}: {which} lies {abs(pull):.1f} sigma off"
@@ -260,18 +281,30 @@ def _agreeing(posteriors: Mapping[str, BatPosterior]) -> list[str]:
         )
         raise InputError(
             f"a ranking needs two bats or more whose measurements agree ({off}). "
-            "Measure these again, or write how sure each value is, as in 1.4545±0.003; without ± the last digit counts"
+            "Measure these again, or write how sure each value is, as in 1.4545±0.005"
         )
     return sound
 
 
-def _disagreeing(posterior: BatPosterior) -> dict[str, float]:
-    """Return the measurements that contradict the others, with how many sigma.
+def _weighed(measurements: Sequence[Measurement]) -> float | None:
+    """Return a weight as it stood on the scale, kg."""
+    return next(
+        (
+            measurement.value.value if measurement.as_read is None else measurement.as_read
+            for measurement in measurements
+            if measurement.kind == "mass"
+        ),
+        None,
+    )
+
+
+def _disagreeing(posterior: BatPosterior, beyond: float = CONTRADICTION) -> dict[str, float]:
+    """Return the measurements that contradict the others by more than ``beyond`` sigma, with how many.
 
     A bat that is only unlike others of its kind, all measurements agreeing on it, is none of these.
     """
     given = {measurement.name for measurement in posterior.measurements}
-    return {name: pull for name, pull in posterior.contradictions.items() if name in given}
+    return {name: pull for name, pull in posterior.contradictions.items() if name in given and abs(pull) > beyond}
 
 
 def barrel_places(implement: Implement) -> Array:

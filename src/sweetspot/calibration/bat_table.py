@@ -78,7 +78,7 @@ def at_usual_moisture(measurement: Measurement, moisture: Measured) -> Measureme
     factor = math.exp(of_modulus * limper - of_mass * heavier)
     value, slope = measurement.value, abs(of_mass - of_modulus * STIFFER)  # d ln m / du = 1 / (1 + u), nearly 1
     moved = Measured(value.value * factor, value.error * factor).widened(slope * moisture.error * value.value)
-    return replace(measurement, value=moved)
+    return replace(measurement, value=moved, as_read=value.value)
 
 
 BATS = quantities_of("bats")

@@ -69,7 +69,8 @@ class Shooting:
 class Measurement:
     """One measured value.
 
-    ``value``: SI. ``axis``: m from the knob end, of a moment of inertia or a pendulum's period.
+    ``value``: SI. ``axis``: m from the knob end, of a moment of inertia or a pendulum's period. ``as_read``: SI, before
+    it was corrected for moisture; None: it was not.
     """
 
     kind: MeasuredKind
@@ -77,6 +78,7 @@ class Measurement:
     axis: float = STANDARD_AXIS
     mode: ModeName | None = None
     shooting: Shooting | None = None
+    as_read: float | None = None
 
     @property
     def name(self) -> str:

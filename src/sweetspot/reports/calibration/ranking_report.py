@@ -16,8 +16,8 @@ from sweetspot.reports.sentences import Sentence, Slot, joined, say
 WORDS = {"mass": "weight", "balance_point": "balance", "moi": "swing weight", "modulus": "stiffness"}
 
 LAST_DIGIT = (
-    "A value without ± counts to one unit of its last digit, 1.4545 as 1.4545 ± 0.0001. Write 1.4545±0.003, one "
-    "standard deviation, where it is less sure."
+    "A value without ± counts to its last digit, and no less than 1 g, 0.5 mm of balance, 2 ms of a swing or 0.3 Hz. "
+    "Write 1.4545±0.005 where it is less sure."
 )
 
 
@@ -32,7 +32,7 @@ def ranking_document(answer: RankAnswer) -> Document:
             bat.exit_speed.value,
             bat.exit_speed.half_width,
             bat.best_chance,
-            bat.mass,
+            bat.mass if bat.weighed is None else bat.weighed,
             bat.properties.moi.value.value,
             *([convention.text_of(_as_body(bat, model))] if lettered else []),
             _stiffer(bat),
@@ -42,13 +42,14 @@ def ranking_document(answer: RankAnswer) -> Document:
     ]
     of_bats = isinstance(model, Bat)
     words = sport(model.sport).words
+    moi = "MOI" if of_bats or lettered else "swing weight"
     columns = [
         Column(words.implement),
         Column("exit speed", "speed"),
         Column("±", "speed", digits=2),
         Column("best of all", "share"),
         Column("weight", "mass"),
-        Column("MOI" if of_bats or lettered else "swing weight", "moi"),
+        Column(say("{name} about {axis:place, round},", name=moi, axis=model.swing_axis), "moi"),
         *([Column(convention.name)] if lettered else []),
         Column("E off" if of_bats else "stiffness off", "share", digits=1, sign=True),
         Column("differs in"),
@@ -58,11 +59,12 @@ def ranking_document(answer: RankAnswer) -> Document:
         off = ", ".join(
             f"{source_words(name, model)} lies {abs(pull):.1f} sigma off" for name, pull in bat.contradictions.items()
         )
-        then = (
-            "It is not ranked, and the words below leave it out. Measure it again, or check the drawing."
-            if bat in unranked
-            else f"Its measurements agree on an unusual {words.implement}; its place holds if they are right."
-        )
+        if bat in unranked:
+            then = "It is not ranked, and the words below leave it out. Measure it again, or check the drawing."
+        elif bat.far_off:
+            then = "Of so many readings one may lie there by chance, so it stays in the list. Measure it again."
+        else:
+            then = f"Its measurements agree on an unusual {words.implement}; its place holds if they are right."
         blocks.append(Paragraph(f"{bat.name}: {off}. {then}", "warning"))
     if unranked:
         blocks.append(Paragraph(LAST_DIGIT, "note"))
@@ -71,8 +73,9 @@ def ranking_document(answer: RankAnswer) -> Document:
     blocks.append(
         Paragraph(
             say(
-                "{level} intervals: of the bat alone, hit by the same ball. MOI: about {axis}. E off: "
-                "modulus against the drawing's. Where a moisture was given, all values are at 12 %."
+                "{level} intervals: of the bat alone, hit by the same ball. Weight: as it stood on the scale. MOI: "
+                "about {axis}. E off: modulus against the drawing's. Where a moisture was given, speed, MOI and E are "
+                "at 12 %."
                 if of_bats
                 else "{level} intervals: of the {thing} alone, hit by the same ball. {moi}: about {axis}. "
                 "Stiffness off: the first frequency squared, against the description's.",
