@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -121,3 +122,11 @@ def test_the_command_writes_a_ball_that_hits(run: Run, tmp_path: Path) -> None:
     for wrong, why in (("--drop=254cm", "heights of fall and rebound"), ("--drop=1m:2m", "less than it fell")):
         assert why in run("calibrate-ball", "tennis", wrong)[2]
     assert "with its speed" in run("calibrate-ball", "tennis", "--restitution=0.5")[2]
+
+
+def test_pounds_at_a_quarter_inch_are_the_load(run_json: Callable[..., Any]) -> None:
+    """How balls' compressions are labeled; 1 pqi is 1 lbf there (exact)."""
+    for written in ("280pqi±10pqi", "280 PQI ± 10", "280lbf±10lbf"):
+        found = run_json("calibrate-ball", "baseball", "--compression", written)
+        assert found["compression_n"] == pytest.approx(280 * 4.4482216)
+        assert found["compression_error_n"] == pytest.approx(10 * 4.4482216)

@@ -28,7 +28,8 @@ def half(number: object) -> float:
 
 @pytest.mark.parametrize("name", sorted(CHANGES))
 def test_every_change_can_be_made_as_its_example_says(name: str) -> None:
-    bat = catalog.bat("slow-pitch" if name in ("shaved", "rolled", "broken-in") else "r161-ash")
+    of = {"slow-pitch": ("shaved", "rolled", "broken-in"), "cricket-bat": ("knocked-in", "pressed")}
+    bat = catalog.implement(next((kind for kind, names in of.items() if name in names), "r161-ash"))
     made = changed(bat, CHANGES[name].example)
     assert made.implement.original == bat, "it is the piece that it was"
     assert made.implement.name == f"{bat.name}, {CHANGES[name].example}"
@@ -59,6 +60,27 @@ def test_water_is_weight_and_lowers_the_tones_as_it_lowers_the_stiffness() -> No
     assert rigid_body(moist).mass / rigid_body(dry).mass == pytest.approx(1.14 / 1.12)
     tones = bending_frequencies(moist, count=2) / bending_frequencies(dry, count=2)
     assert tones == pytest.approx(np.sqrt(np.exp(-0.03) * 1.12 / 1.14), rel=1e-6)
+
+
+def test_knocking_in_takes_what_was_published() -> None:
+    """0.24 % of the batted-ball speed [singh2008], between nothing and twice that; weight and tones stay."""
+    bat = catalog.implement("cricket-bat")
+    made = changed(bat, "knocked-in")
+    assert made.ends is not None
+    low, middle, high = (
+        float(sweetspot.hit(each, at=bat.length - 0.15).exit_speed)
+        / float(sweetspot.hit(bat, at=bat.length - 0.15).exit_speed)
+        for each in (made.ends[0], made.implement, made.ends[1])
+    )
+    assert middle == pytest.approx(1 - 0.0024, abs=2e-4)
+    assert (low, high) == (pytest.approx(1.0), pytest.approx(1 - 0.0048, abs=6e-4))
+    before, after = (beam_model(each) for each in (bat, made.implement))
+    assert rigid_body(after).mass == pytest.approx(rigid_body(before).mass)
+    assert bending_frequencies(after, count=2) == pytest.approx(bending_frequencies(before, count=2))
+    with pytest.raises(InputError, match="says no amount; write for example 'pressed 20 %'"):
+        changed(bat, "pressed")
+    with pytest.raises(InputError, match="is no cricket bat"):
+        changed(catalog.bat("r161-ash"), "knocked-in")
 
 
 def test_a_shaved_barrel_loses_what_was_cut() -> None:

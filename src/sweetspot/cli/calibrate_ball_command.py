@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -34,7 +35,10 @@ class BallMeasurements:
     ] = None
     mass: Annotated[str | None, Parameter(help="Weight: 5.12oz±0.02oz.")] = None
     compression: Annotated[
-        str | None, Parameter(help="Load that brings two plates a quarter inch nearer: 310lbf±10lbf.")
+        str | None,
+        Parameter(
+            help="Load that brings two plates a quarter inch nearer: 310lbf±10lbf, or 310pqi: pounds per quarter inch."
+        ),
     ] = None
     temperature: Annotated[str | None, Parameter(help="Of the ball when it bounced: 10degC.")] = None
     humidity: Annotated[str | None, Parameter(help="At which it was stored before, 0.5 or 50%.")] = None
@@ -64,7 +68,7 @@ def calibrate_ball(
             like=str(Path(ball).resolve()) if is_file(ball) else ball,
             bounces=[*(_drop(text, like) for text in measured.drop or []), *map(_bounce, measured.restitution or [])],
             mass=_number(measured.mass, "mass"),
-            compression=_number(measured.compression, "force", "compression"),
+            compression=_number(_in_pounds(measured.compression), "force", "compression"),
             temperature=_exact(measured.temperature, "temperature"),
             humidity=_exact(measured.humidity, "humidity"),
             name=measured.name,
@@ -86,6 +90,11 @@ def _number(text: str | None, kind: Kind, name: str = "mass") -> Measured | None
     from sweetspot.calibration.measured import parse_measured
 
     return None if text is None else parse_measured(text, kind, f"ball {name}")
+
+
+def _in_pounds(text: str | None) -> str | None:
+    """Return a load in pounds at a quarter inch, as balls' compressions are labeled, as one in pounds."""
+    return None if text is None else re.sub(r"\s*pqi\b", "lbf", text, flags=re.IGNORECASE)
 
 
 def _exact(text: str | None, name: Literal["temperature", "humidity"]) -> float | None:

@@ -98,6 +98,12 @@ def _along(beam: BeamModel, places: Array, patches: Array) -> Array:
     return compliance
 
 
+def across_grain(material: Material) -> float:
+    """Return Young's modulus across the grain or the fibers in Pa, as far as it is known."""
+    wood = ACROSS_RATIO if material.family == "wood" else 1.0
+    return material.transverse_modulus or wood * material.longitudinal_modulus
+
+
 def round_compliance(material: Material, patch_ratio: Array, *, void: float) -> Array:
     """Return c R in m^2/N of a long round body at ratios a / R of the patch's radius to its own.
 
@@ -107,8 +113,7 @@ def round_compliance(material: Material, patch_ratio: Array, *, void: float) -> 
     """
     along, shear = material.longitudinal_modulus, material.shear
     poisson = material.poisson
-    wood = material.family == "wood"
-    across = material.transverse_modulus or (ACROSS_RATIO * along if wood else along)
+    wood, across = material.family == "wood", across_grain(material)
     across_poisson = ACROSS_POISSON if wood else poisson
     table = _table(along, across, shear, poisson, across_poisson, void)
     return np.asarray(cubic_spline(PATCHES, table)(np.clip(patch_ratio, PATCHES[0], PATCHES[-1])))
