@@ -37,7 +37,7 @@ export interface Answers {
 /** What is asked apart, by view and name. */
 export interface Asides {
   start: {  };
-  explorer: { map: PowerMap; why: ReportWords; sure: ReadDocument; file: OneFile; };
+  explorer: { map: PowerMap; why: ReportWords; standing: BatStanding | null; sure: ReadDocument; file: OneFile; };
   hit: { sure: ReadDocument; };
   modes: {  };
   own: { tap: HeardTaps; file: WrittenBat; };
@@ -208,6 +208,12 @@ export interface BatShape {
   weights: DrawnWeight[];
   material: string;
   remark: Record<"si" | "us", string>;
+}
+
+/** Where a bat stands. */
+export interface BatStanding {
+  below: Record<string, string>;
+  among: string;
 }
 
 /** Which bat, and what was done to it. */

@@ -52,6 +52,7 @@ from sweetspot.web.views.explorer_curves import (
     struck,
     touched_twice,
 )
+from sweetspot.web.views.explorer_standing import standing
 
 
 class ExplorerState(HitState):
@@ -311,5 +312,5 @@ VIEW = View(
     ExplorerState,
     answer,
     recipe,
-    asides={"map": power_map, "why": why, "sure": sure, "file": file},
+    asides={"map": power_map, "why": why, "standing": standing, "sure": sure, "file": file},
 )

@@ -188,10 +188,15 @@ export function scoped(app, index, bounds) {
  */
 /** @template A @param {Fact<A>[]} facts @param {App} app */
 export function factList(facts, app) {
-  const values = facts.map(() => make("dd"));
-  const element = make("dl", { className: "facts" }, ...facts.map(([name], i) => make("div", {}, make("dt", { textContent: name }), values[i])));
+  const values = facts.map(() => make("span")), remarks = facts.map(() => make("small"));
+  const element = make("dl", { className: "facts" }, ...facts.map(([name], i) => make("div", {}, make("dt", { textContent: name }), make("dd", {}, values[i], remarks[i]))));
   return {
     element,
+    // Words below a number, by its name; none where there are none.
+    /** @param {Record<string, string>} words */
+    remark(words) {
+      facts.forEach(([name], i) => write(remarks[i], words[name] ?? ""));
+    },
     /** @param {A} answer */
     fill(answer) {
       facts.forEach(([, value], i) => {

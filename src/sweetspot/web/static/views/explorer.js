@@ -9,11 +9,11 @@ import { gripsOf } from "../bat/grips.js";
 import { HeatMap } from "../charts/heatmap.js";
 import { HowSure } from "../controls/howsure.js";
 import { partsOf } from "../charts/ledger.js";
-import { factList, make, paragraphs, tell, withDoubt } from "../controls/parts.js";
+import { factList, make, paragraphs, showWords, tell, withDoubt } from "../controls/parts.js";
 import { INCH } from "../controls/units.js";
 import { Zoom } from "../charts/zoom.js";
 /** @import { Curve, Panel, Published } from "../charts/chart.js" */
-/** @import { ExplorerAnswer, PowerMap, ReportWords, States } from "../answers.js" */
+/** @import { BatStanding, ExplorerAnswer, PowerMap, ReportWords, States } from "../answers.js" */
 /** @import { Fact } from "../controls/parts.js" */
 /** @import { AppOf, Guide, State } from "../shell/main.js" */
 
@@ -91,7 +91,10 @@ export default class ExplorerView {
     this.words = make("p", { className: "verdict wide", id: "verdict" });
     this.why = make("p", { className: "why", id: "why" });
     this.again = make("p", { className: "note", id: "again" });
+    const { bat: ofBat, schema } = app.entry(app.name);
+    this.notOfBat = Object.keys(schema).filter((field) => !ofBat.includes(field));
     this.facts = factList(FACTS, app);
+    this.among = make("p", { className: "note", hidden: true });
     this.report = make("details", { className: "report", open: false }, make("summary", { textContent: "What the report says of this bat and swing" }));
     this.told = make("div", { className: "words" });
     this.report.append(this.told);
@@ -103,7 +106,7 @@ export default class ExplorerView {
     this.heatSwitch = button("Colors off", () => this.switchHeat());
     const tools = make("div", { className: "row tight" }, barrel, this.zoom.buttons("Whole bat"), this.heatSwitch);
     const picture = make("section", { className: "picture", ariaLabel: "Bat and curves" },
-      tools, this.picture.element, this.facts.element, this.why, this.power.element, this.power.numbers.element, this.chart.element, this.again, this.bars, this.known, this.report, this.sure.element);
+      tools, this.picture.element, this.facts.element, this.among, this.why, this.power.element, this.power.numbers.element, this.chart.element, this.again, this.bars, this.known, this.report, this.sure.element);
     root.append(this.words, side, picture);
     this.picture.element.classList.add("pinned");
     slideByKeys(app, this.picture, () => app.answer);
@@ -142,6 +145,7 @@ export default class ExplorerView {
       this.map = map;
       this.paint();
     });
+    this.app.aside("standing", this.notOfBat, 800, (found) => this.stand(found));
     this.app.aside("why", ELSEWHERE, 600, (found) => {
       this.found = found;
       paragraphs(this.told, found.sentences[this.app.units]);
@@ -149,6 +153,14 @@ export default class ExplorerView {
     });
     if (this.found) paragraphs(this.told, this.found.sentences[units]);
     this.sure.update();
+  }
+
+  // Where the bat's own numbers stand among others; how it is swung makes no difference.
+  /** @param {BatStanding | null} found */
+  stand(found) {
+    const below = found?.below ?? {};
+    this.facts.remark({ Weight: below.mass ?? "", "Swing weight": below.moi_6in ?? "", "Efficiency q": below.collision_efficiency ?? "" });
+    showWords(this.among, found?.among ?? "");
   }
 
   paint() {
