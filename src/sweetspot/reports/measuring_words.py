@@ -28,7 +28,7 @@ def what_to_measure(worth: Sequence[WorthMeasuring], half: float, *, beside: str
     beside : label of the implement that is compared with the first one; "": there is one implement alone.
     """
     least = min((float(each.half_interval) for each in worth), default=half)
-    if not least <= MUCH * half:
+    if not worth or not least <= MUCH * half:  # without sources the interval is 0, and nothing narrows it
         return say("")
     chosen = next(each for each in worth if float(each.half_interval) <= AS_WELL * least)
     its = "it" if not beside else "both" if len(chosen.implements) > 1 else chosen.implements[0]
