@@ -16,6 +16,7 @@ SMALL: dict[str, str] = {
     "ball_scatter": "{data}",
     "calibrated_bats": "--count 1 --kinds hollow",
     "calibration_coverage": "--count 1",
+    "college_residuals": "{data}",
     "held_out": "--balls 400",
     "league_batters": "--swings {data}",
     "league_coverage": "--players 5 --swings 20 --simulator own",
@@ -44,6 +45,7 @@ SMALL: dict[str, str] = {
 READS = {
     "ball_scatter": ["cmu36sure2026_battedballs_battracking.csv.gz"],
     "held_out": ["cmu36sure2026_battedballs_battracking.csv.gz"],
+    "college_residuals": ["trackman_2025_college_hits.csv.gz"],
     "league_batters": ["cmu36sure2026_battedballs_battracking.csv.gz"],
     "park_ranking": [
         "savant_2022_contact_sample.csv.gz",
