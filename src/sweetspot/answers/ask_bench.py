@@ -122,7 +122,8 @@ def calibrate(
     mass, balance_point, period, moi : kg, m from the knob end, s of a full swing about the pivot, kg m^2 about it; each
         with its error: ``"31.0oz±0.1oz"``, or ``Measured(value, error)``.
     pivot : m from the knob end; None: the axis of the sport's swing weight.
-    tones : in Hz by name, ``{"bending-1": Measured(171.3, 0.5)}``; one without an error is known to 1 Hz.
+    tones : in Hz by name, ``{"bending-1": Measured(171.3, 0.5)}``, of a paddle also
+        ``"face"``; one without an error is known to 1 Hz.
 
     Raises
     ------
@@ -130,8 +131,7 @@ def calibrate(
         for a value without an error, or a bat that cannot have what was measured.
     """
     from sweetspot.answers.calibrate import CalibrateQuestion, calibrate_answer
-    from sweetspot.calibration.measurements import MeasuredKind, Measurement
-    from sweetspot.calibration.mode_naming import MOST_BENDING, ModeName
+    from sweetspot.calibration.measurements import TONES, MeasuredKind, Measurement, of_tone
 
     drawn = implement.implement.as_drawn()
     axis = drawn.swing_axis if pivot is None else value_of(pivot)
@@ -147,13 +147,11 @@ def calibrate(
             measurements.append(Measurement(kind, value, axis=axis if kind in ("period", "moi") else STANDARD_AXIS))
         elif value is not None:
             raise InputError(f"{kind} was given without its error; write '31.0oz±0.1oz', or Measured(value, error)")
-    modes = {f"bending-{number}": ModeName("bending", number) for number in range(1, MOST_BENDING + 1)}
-    modes["hoop"] = ModeName("hoop", 2)
     for name, hertz in (tones or {}).items():
-        if name not in modes:
-            raise InputError(f"the tone {name!r} is not known; allowed is one of {', '.join(modes)}")
+        if name not in TONES:
+            raise InputError(f"the tone {name!r} is not known; allowed is one of {', '.join(TONES)}")
         frequency = hertz if isinstance(hertz, Measured) else Measured(hertz, 1.0)
-        measurements.append(Measurement("frequency", frequency, mode=modes[name]))
+        measurements.append(of_tone(Measurement("frequency", frequency, mode=TONES[name]), drawn))
     return calibrate_answer(CalibrateQuestion(drawn, measurements))
 
 

@@ -21,13 +21,15 @@ from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.errors import InputError
 from sweetspot.numerics.interval import LEVEL
-from sweetspot.units.dimensions import DENSITY, FREQUENCY, LENGTH, MASS, MODULUS, MOI, RATIO, TIME, Dimension
+from sweetspot.units.dimensions import DENSITY, FREQUENCY, LENGTH, MASS, MODULUS, MOI, RATIO, STIFFNESS, TIME, Dimension
 
 DIMENSIONS: Mapping[MeasuredKind, Dimension] = {
     "mass": MASS,
     "balance_point": LENGTH,
     "moi": MOI,
     "period": TIME,
+    "twist_weight": MOI,
+    "face_stiffness": STIFFNESS,
     "frequency": FREQUENCY,
     "efficiency": RATIO,
 }
@@ -63,6 +65,7 @@ class CalibratedValues:
 
     ``moi``: about 6 in from the knob end; of rackets, clubs and sticks the swing weight. ``longitudinal_modulus``,
     ``shear_modulus``, ``density``: of a bat's material. ``first_frequency``: of rackets, clubs and sticks.
+    ``twist_weight``, ``core_shear``, ``face_stiffness``, ``face_tone``: of paddles.
     """
 
     mass: Annotated[CalibratedValue | None, MASS] = None
@@ -72,6 +75,10 @@ class CalibratedValues:
     shear_modulus: Annotated[CalibratedValue | None, MODULUS] = None
     density: Annotated[CalibratedValue | None, DENSITY] = None
     first_frequency: Annotated[CalibratedValue | None, FREQUENCY] = None
+    twist_weight: Annotated[CalibratedValue | None, MOI] = None
+    core_shear: Annotated[CalibratedValue | None, MODULUS] = None
+    face_stiffness: Annotated[CalibratedValue | None, STIFFNESS] = None
+    face_tone: Annotated[CalibratedValue | None, FREQUENCY] = None
 
     @property
     def by_name(self) -> dict[str, CalibratedValue]:

@@ -79,13 +79,13 @@ def core_verdict(states: Sequence[CoreState], described: Paddle) -> PaddleCore:
     crushed = sum(state.probability for state in states if state.shear_left < CRUSHED)
     left = _quantiles([(state.probability, state.shear_left, 0.0) for state in states])
     spread = math.exp(REACH * likeliest.shear_error)
-    shear = likeliest.paddle.core_shear
+    shear, tone, tones = likeliest.paddle.core_shear, likeliest.face_tone, math.exp(REACH * likeliest.tone_error)
     core = PaddleCore(
         verdict="crushed" if crushed >= SURE else "sound" if crushed <= 1 - SURE else "open",
         crushed_probability=crushed,
         shear_left=left,
         core_shear=Interval(shear, shear / spread, shear * spread),
-        face_tone=likeliest.face_tone,
+        face_tone=Interval(tone, tone / tones, tone * tones),
         described_face_tone=face_tone(with_shear_left(described, 1.0)),
     )
     rules = sport(described.sport).rules

@@ -11,7 +11,7 @@ from sweetspot.answers.paddle_core import PaddleCore, core_verdict, states_of
 from sweetspot.answers.records import INTERNAL
 from sweetspot.calibration.bar import Bar, BarModulus
 from sweetspot.calibration.measured import Measured, pooled
-from sweetspot.calibration.measurements import Measurement, of_tones
+from sweetspot.calibration.measurements import FACE_TONE, Measurement, of_tones
 from sweetspot.calibration.mode_naming import NamedTone
 from sweetspot.calibration.recording import FrequencyBand, Recording
 from sweetspot.calibration.tap_analysis import (
@@ -26,7 +26,7 @@ from sweetspot.calibration.tap_analysis import (
 from sweetspot.calibration.taps import Tap
 from sweetspot.equipment.implement import Implement
 from sweetspot.equipment.paddle import Paddle
-from sweetspot.numerics.interval import LEVEL
+from sweetspot.numerics.interval import LEVEL, REACH, interval_of
 from sweetspot.units.dimensions import FREQUENCY, MODULUS, TIME
 
 
@@ -127,6 +127,11 @@ class TapAnswer(Answer):
     def measurements(self) -> list[Measurement]:
         """What the tones tell of the described implement, for `sweetspot.answers.calibrate`."""
         found, implement = of_tones(self.test.tones), self.question.implement
+        if self.core is not None:
+            tone = interval_of(self.core.face_tone)
+            value = Measured(tone.value, (tone.high - tone.low) / (2 * REACH))
+            found = [each for each in found if each.mode != FACE_TONE]
+            found.append(Measurement("frequency", value, mode=FACE_TONE))
         return found if implement is None else tones_to_fit(found, implement)
 
     @property

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from sweetspot.calibration.measured import CalibratedValue, Measured, ValueKind
-from sweetspot.calibration.measurements import Measurement, predicted
+from sweetspot.calibration.measurements import FACE_TONE, Measurement, predicted
 from sweetspot.calibration.posterior import BatPosterior
-from sweetspot.calibration.unknowns import OF_BALL, Unknown, UnknownName, deviated
+from sweetspot.calibration.unknowns import OF_BALL, OF_PADDLE, Unknown, UnknownName, deviated
 from sweetspot.catalog.files.implement import ClubHeadTable
 from sweetspot.catalog.files.write import bat_table, implement_table, written
 from sweetspot.catalog.records import TomlTable, TomlValue
@@ -21,6 +21,7 @@ from sweetspot.dynamics.beam import GRADIENT_LIMIT
 from sweetspot.dynamics.rigid import moi_doubt, rigid_body
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
@@ -87,6 +88,8 @@ def _slopes(posterior: BatPosterior, wanted: Sequence[Measurement]) -> Array:
 def material_values(posterior: BatPosterior) -> dict[str, CalibratedValue]:
     """Return moduli and density of the calibrated bat; of a racket, club or stick the first frequency."""
     bat = posterior.beam.bat
+    if isinstance(bat, Paddle):
+        return _paddle_values(posterior, bat)
     if not isinstance(bat, Bat):
         frequency = bat.frequency
         assert frequency is not None  # guaranteed by as_described
@@ -112,10 +115,37 @@ def material_values(posterior: BatPosterior) -> dict[str, CalibratedValue]:
     return values
 
 
+def _paddle_values(posterior: BatPosterior, paddle: Paddle) -> dict[str, CalibratedValue]:
+    """Return twist weight, core, and stiffness and tone of the face of a calibrated paddle."""
+    unit = Measured(1, 1)
+    wanted = {
+        "twist_weight": Measurement("twist_weight", unit),
+        "face_stiffness": Measurement("face_stiffness", unit),
+        "face_tone": Measurement("frequency", unit, mode=FACE_TONE),
+    }
+    names = [unknown.name for unknown in posterior.unknowns]
+    of_core = posterior.covariance[names.index("core_shear"), names.index("core_shear")] ** 0.5
+    values, slopes = (
+        predicted(posterior.beam, list(wanted.values())),
+        _slopes(posterior, list(wanted.values())),
+    )
+    errors = np.sqrt(np.einsum("ji,jk,ki->i", slopes, posterior.covariance, slopes))
+    given = {measurement.name for measurement in posterior.measurements}
+    found = {
+        name: CalibratedValue(
+            Measured(float(value), float(error)), "measured" if measurement.name in given else "fitted"
+        )
+        for (name, measurement), value, error in zip(wanted.items(), values, errors, strict=True)
+    }
+    kind: ValueKind = "fitted" if of_core < INFORMATIVE * OF_PADDLE["core_shear"] else "assumed"
+    found["core_shear"] = CalibratedValue(Measured(paddle.core_shear, paddle.core_shear * of_core), kind)
+    return found
+
+
 SOURCE = "own_measurement"
 UNITS = {
     **{"mass": "kg", "balance_point": "m", "moi": "kg*m^2", "first_frequency": "Hz"},
-    **{"longitudinal_modulus": "Pa", "shear_modulus": "Pa", "density": "kg/m^3"},
+    **{"longitudinal_modulus": "Pa", "shear_modulus": "Pa", "density": "kg/m^3", "core_shear": "Pa"},
 }
 """Of the values that a calibrated file has."""
 
@@ -187,7 +217,8 @@ def _calibration_table(posterior: BatPosterior) -> TomlTable:
 def _implement_table(posterior: BatPosterior, damping: Measured | None) -> TomlTable:
     """Return the content of the file of a racket, club or stick; a club has head and grip for its weight."""
     implement = posterior.beam.bat
-    named = implement.replaced(name=f"{implement.name}, calibrated", fitted=fitted_names(posterior))
+    fitted = [name for name in fitted_names(posterior) if getattr(implement, name) is not None]
+    named = implement.replaced(name=f"{implement.name}, calibrated", fitted=tuple(fitted))
     table = dict(implement_table(named))
     for name, found in {**properties(posterior), **material_values(posterior)}.items():
         if name in table:

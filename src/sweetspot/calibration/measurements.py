@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Literal
 
@@ -27,28 +27,39 @@ from sweetspot.collision.kernel import hits
 from sweetspot.dynamics.beam import BeamModel, beam_model
 from sweetspot.dynamics.clamped import PER_MINUTE, clamped_frequency
 from sweetspot.dynamics.hoop import hoop_frequency
+from sweetspot.dynamics.paddle_modes import DEFLECTED, bending_tone, face_stiffness, face_tone
 from sweetspot.dynamics.reduction import all_modes, bending_frequencies
 from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.dynamics.swing_weight import pendulum_period
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.plausibility import parse
 from sweetspot.units import INCH
 
-MeasuredKind = Literal["mass", "balance_point", "moi", "period", "frequency", "efficiency"]
+MeasuredKind = Literal[
+    "mass", "balance_point", "moi", "period", "twist_weight", "frequency", "efficiency", "face_stiffness"
+]
 CYCLES = re.compile(r"\s*cpm\b", re.IGNORECASE)
 """Cycles per minute, as clubmakers have it."""
-OF_BODY = ("mass", "balance_point", "moi", "period")
+OF_BODY = ("mass", "balance_point", "moi", "period", "twist_weight")
 """Kinds that ask for no more than the motion of a rigid body."""
 EFFICIENCY_ERROR = 0.01
 """One sigma of q that the model itself deserves (assumed): two makers' tests of one bat differ by as much."""
 BENDING_ERROR, HOOP_ERROR = 0.005, 0.03
 """One sigma of a frequency's logarithm that the model itself deserves (assumed): grain, paint and glue; for hoop modes
 the course of the wall."""
+FACE_ERROR, FACE_TONE_ERROR, PLATE_ERROR = 0.15, 0.03, 0.05
+"""The same of a face's stiffness, whose skins and core through the thickness are not known, of its tone, and of a
+paddle's bending tone, for which the handle counts (assumed): a handle half or twice as stiff moves it by 6 %."""
+MODEL_ERRORS = {"hoop": HOOP_ERROR, "face": FACE_TONE_ERROR}
+"""By the family of the mode, where it is not bending."""
+FACE_TONE = ModeName("face", 1)
+"""The tone of a paddle's face that people hear, however many others there are."""
 ELEMENTS = 8
 """Finite elements at least; five modes are then converged to 1e-3 of a bat's damping-free frequency."""
 
@@ -70,7 +81,8 @@ class Measurement:
     """One measured value.
 
     ``value``: SI. ``axis``: m from the knob end, of a moment of inertia or a pendulum's period. ``as_read``: SI, before
-    it was corrected for moisture; None: it was not.
+    it was corrected for moisture; None: it was not. ``of_plate``: of a
+    paddle's bending, whose model deserves less trust.
     """
 
     kind: MeasuredKind
@@ -79,11 +91,15 @@ class Measurement:
     mode: ModeName | None = None
     shooting: Shooting | None = None
     as_read: float | None = None
+    of_plate: bool = False
 
     @property
     def name(self) -> str:
         """Its name in plain words."""
         words = {"balance_point": "balance point", "moi": "moment of inertia", "period": "pendulum"}
+        words |= {"twist_weight": "twist weight", "face_stiffness": "face stiffness"}
+        if self.mode == FACE_TONE:
+            return "face tone"
         if self.shooting is not None:
             return f"q {self.shooting.position / INCH:.1f} in from the knob"
         return str(self.mode) if self.mode else words.get(self.kind, self.kind)
@@ -93,9 +109,11 @@ class Measurement:
         """One sigma of measurement and model together, SI."""
         if self.shooting is not None:
             return float(np.hypot(self.value.error, EFFICIENCY_ERROR))
+        if self.kind == "face_stiffness":
+            return float(np.hypot(self.value.error, FACE_ERROR * self.value.value))
         if self.mode is None:
             return self.value.error
-        model = HOOP_ERROR if self.mode.family == "hoop" else BENDING_ERROR
+        model = PLATE_ERROR if self.of_plate else MODEL_ERRORS.get(self.mode.family, BENDING_ERROR)
         return float(np.hypot(self.value.error, model * self.value.value))
 
 
@@ -122,6 +140,19 @@ def of_tones(tones: Sequence[NamedTone]) -> list[Measurement]:
     return measurements
 
 
+TONES = {
+    **{f"bending-{number}": ModeName("bending", number) for number in range(1, MOST_BENDING + 1)},
+    "hoop": ModeName("hoop", 2),
+    "face": FACE_TONE,
+}
+"""What tones are called where they are given."""
+
+
+def of_tone(measurement: Measurement, implement: Implement) -> Measurement:
+    """Return the measurement of a tone as this kind of implement has it: a paddle bends as a plate."""
+    return replace(measurement, of_plate=isinstance(implement, Paddle) and measurement.mode != FACE_TONE)
+
+
 def predicted(beam: BeamModel, measurements: Sequence[Measurement], *, livelier: float = 0.0) -> Array:
     """Return the values that a beam model predicts for measurements, SI, shape (n,)."""
     body = rigid_body(beam) if any(measurement.kind in OF_BODY for measurement in measurements) else None
@@ -144,6 +175,8 @@ def predicted(beam: BeamModel, measurements: Sequence[Measurement], *, livelier:
             values.append(_of_body(body, measurement))
         elif measurement.shooting is not None:
             values.append(efficiencies[measurement.shooting])
+        elif isinstance(beam.bat, Paddle):
+            values.append(_of_plate(beam.bat, measurement))
         elif measurement.mode is None:
             raise InputError("a frequency needs the name of its mode")
         elif scaled_to is not None and measurement.mode == ModeName("bending", 1):  # what the stiffness is scaled to
@@ -155,6 +188,13 @@ def predicted(beam: BeamModel, measurements: Sequence[Measurement], *, livelier:
             hoop = hoop_frequency(beam) if hoop is None else hoop
             values.append(hoop)
     return np.array(values)
+
+
+def _of_plate(paddle: Paddle, measurement: Measurement) -> float:
+    """Predict a quantity of a paddle's plate: the stiffness of its face in N/m, or a tone in Hz."""
+    if measurement.kind == "face_stiffness":
+        return face_stiffness(paddle)
+    return face_tone(paddle) if measurement.mode == FACE_TONE else bending_tone(paddle)
 
 
 @lru_cache(maxsize=64)
@@ -169,6 +209,8 @@ def _of_body(body: RigidBody, measurement: Measurement) -> float:
         return body.mass
     if measurement.kind == "balance_point":
         return body.balance_point
+    if measurement.kind == "twist_weight":
+        return body.roll_moi
     turning = body.moi(measurement.axis)
     if measurement.kind == "moi":
         return turning
@@ -258,6 +300,28 @@ def of_swing_weight(text: str, sport: str, *, mass: Measured | None, what: str =
     arm = moment.value / mass.value
     error_of_arm = math.hypot(moment.error / mass.value, arm * mass.error / mass.value)
     return Measurement("balance_point", Measured(convention.axis + arm, error_of_arm))
+
+
+def of_twist_weight(text: str, *, what: str = "twist weight") -> Measurement:
+    """Return the twist weight of a paddle; a number alone is in kg cm^2.
+
+    >>> of_twist_weight("7.2±0.2").value
+    Measured(value=0.00072, error=2e-05)
+    """
+    return Measurement("twist_weight", parse_measured(plain_swing_weight(text), "moi", what))
+
+
+def of_face_stiffness(text: str, *, what: str = "face stiffness") -> Measurement:
+    """Return the stiffness of a paddle's face, given as such or as the force that presses it in by 1/16 in.
+
+    >>> round(of_face_stiffness("45lbf±2lbf").value.value / 1e3, 1)
+    126.1
+    """
+    try:
+        return Measurement("face_stiffness", parse_measured(text, "stiffness", what))
+    except InputError:
+        force = parse_measured(text, "force", what)
+        return Measurement("face_stiffness", Measured(force.value / DEFLECTED, force.error / DEFLECTED))
 
 
 ONE_PLACE = 0.0064

@@ -54,7 +54,7 @@ class CoreState:
     paddle : in this state, its shear modulus as the tones have it.
     shear_left : in the soft spot, over that of the rest.
     probability : after the tap.
-    shear_error : one sigma of the logarithm of the shear modulus.
+    shear_error, tone_error : one sigma of the logarithms of the shear modulus and of the tones.
     face_tone : Hz, that people hear.
     family : its modes, by which the tones are named.
     """
@@ -63,6 +63,7 @@ class CoreState:
     shear_left: float
     probability: float
     shear_error: float
+    tone_error: float
     face_tone: float
     family: ModeFamily
 
@@ -95,7 +96,7 @@ def core_states(tones: Sequence[Tone], paddle: Paddle, *, positions: Sequence[fl
         shear = paddle.core_shear * math.exp(fit.scale / exponent)
         state = with_shear_left(paddle.replaced(core_shear=shear), part)
         tone = face_tone(with_shear_left(paddle, part)) * math.exp(fit.scale)
-        states.append(CoreState(state, part, weight, fit.error / exponent, tone, family))
+        states.append(CoreState(state, part, weight, fit.error / exponent, fit.error, tone, family))
     return tuple(states)
 
 

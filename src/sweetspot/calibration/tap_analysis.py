@@ -11,7 +11,7 @@ import numpy as np
 
 from sweetspot.calibration.bar import Bar, BarModulus, bar_modulus, modelled_tones, moduli_along, named_bar
 from sweetspot.calibration.measured import Measured
-from sweetspot.calibration.measurements import Measurement
+from sweetspot.calibration.measurements import FACE_TONE, Measurement, of_tone
 from sweetspot.calibration.mode_naming import (
     SILENT,
     ModeFamily,
@@ -87,11 +87,17 @@ def held_damping(modes: Modes | None) -> float:
 
 
 def tones_to_fit(measurements: Sequence[Measurement], implement: Implement) -> list[Measurement]:
-    """Return the tones that tell something: of a racket, club or stick the first, to which its stiffness is scaled."""
+    """Return the tones that tell something: of a racket, club or stick the first, to which its stiffness is scaled.
+
+    Of a paddle also that of its face.
+    """
+    if isinstance(implement, Paddle):
+        return [of_tone(each, implement) for each in measurements if each.mode in OF_PADDLE]
     first = ModeName("bending", 1)
     return [measurement for measurement in measurements if isinstance(implement, Bat) or measurement.mode == first]
 
 
+OF_PADDLE = (ModeName("bending", 1), FACE_TONE)
 FAMILIES: tuple[Family, ...] = ("bending", "hoop")
 """Those that a microphone hears."""
 BY_RATIOS = 3

@@ -7,7 +7,9 @@ scatters more, so it counts as one sigma. A solid bat carries a few grams of tap
 
 A racket, cricket bat, club or stick is known by what is measured on it: weight, balance point, radius of gyration about
 that point (from a swing weight or a pendulum) and the frequency of its first bending mode, to which its stiffness is
-scaled. A golf club is weighed by its parts: head and grip take the place of the first three.
+scaled. A paddle is known by mass, swing weight, the share of its rim round the tip, which twist weight tells, and the
+shear modulus of its core, which its tones tell. A golf club is weighed by its parts: head and grip take the place of
+the first three.
 """
 
 from __future__ import annotations
@@ -29,6 +31,7 @@ from sweetspot.equipment.cricket_bat import CricketBat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.hockey_stick import HockeyStick
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.equipment.racket import Racket
 from sweetspot.equipment.shell import Stations
 from sweetspot.errors import InputError
@@ -38,20 +41,27 @@ SPREADS = {"mass": 0.06, "balance_point": 0.04, "gyration": 0.06, "first_frequen
 """One sigma of the logarithms before anything is measured: implements of one kind differ so (assumed)."""
 OF_CLUB = {"end_mass": 0.06, "knob_mass": 0.3, "first_frequency": 0.2}
 """The same of a golf club's head, grip and frequency (assumed)."""
+OF_PADDLE = {"mass": 0.03, "swing_weight": 0.03, "rim": 0.4, "core_shear": 0.3}
+"""The same of a paddle, of its swing weight at the same mass (assumed): usual are 7.5 to 8.5 oz and 100 to 124 kg cm^2,
+twist weights of 6.5 to 8 from a rim half as heavy again round the tip or two thirds of it; cores have 5 to 14 MPa."""
 
 
 def implement_spreads(implement: Implement) -> dict[str, float]:
     """Return the unknowns of an implement that is not a bat, and one sigma of the logarithm of each."""
+    if isinstance(implement, Paddle):
+        return dict(OF_PADDLE)
     if not isinstance(implement, (Racket, CricketBat, HockeyStick, GolfClub)):
         raise InputError(
-            f"{implement.name} is known by its plies and rubbers; calibrate knows bats, rackets, cricket bats, hockey "
-            "sticks and golf clubs"
+            f"{implement.name} is known by its plies and rubbers; calibrate knows bats, rackets, paddles, cricket "
+            "bats, hockey sticks and golf clubs"
         )
     return dict(OF_CLUB if isinstance(implement, GolfClub) else SPREADS)
 
 
 def as_described(implement: Implement) -> BeamModel:
     """Return an implement's beam with all that is measured on it written down, as far as the description says it."""
+    if isinstance(implement, Paddle):
+        return beam_model(implement.replaced(added=(), calibrated=True, original=None).with_its_rim())
     beam = beam_model(implement.replaced(added=()))
     body = rigid_body(beam)
     written: dict[str, float] = {}
@@ -67,6 +77,18 @@ def implement_deviated(beam: BeamModel, deviations: Mapping[str, float]) -> Beam
     factor = {name: math.exp(off) for name, off in deviations.items()}
     implement = beam.bat
     changes: dict[str, object] = {}
+    if isinstance(implement, Paddle):
+        assert implement.mass is not None
+        assert implement.moi is not None
+        heavier = factor.get("mass", 1.0)
+        return beam_model(
+            implement.replaced(
+                mass=implement.mass * heavier,
+                moi=implement.moi * heavier * factor.get("swing_weight", 1.0),
+                rim_at_tip=implement.rim_at_tip * factor.get("rim", 1.0),
+                core_shear=implement.core_shear * factor.get("core_shear", 1.0),
+            )
+        )
     frequency = implement.frequency
     assert frequency is not None  # written by as_described
     changes["first_frequency"] = frequency * factor.get("first_frequency", 1.0)
@@ -95,6 +117,7 @@ UnknownName = (
     | Literal[
         "knob_depth", "end_depth", "barrel", "ball_restitution", "mass", "balance_point", "gyration", "first_frequency"
     ]
+    | Literal["swing_weight", "rim", "core_shear"]
 )
 OF_BALL: UnknownName = "ball_restitution"
 """The unknown that is not the bat's."""

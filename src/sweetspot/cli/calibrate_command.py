@@ -44,6 +44,12 @@ class WeighedOptions:
         str | None,
         Parameter(help="As its sport tells it, about the sport's own axis: D2 of a club, 316kg*cm^2 of a racket."),
     ] = None
+    twist_weight: Annotated[str | None, Parameter(help="Of a paddle, about its long axis: 7.2kg*cm^2±0.2kg*cm^2.")] = (
+        None
+    )
+    face_stiffness: Annotated[
+        str | None, Parameter(help="Of a paddle's face: 45lbf/in, or as force for 1/16 in: 45lbf±2lbf.")
+    ] = None
     pivot: Annotated[
         str | None,
         Parameter(help="Where it hangs, from the knob end; default: 6in, or the axis of the sport's swing weight."),
@@ -177,10 +183,24 @@ def _weighed(described: Implement, weighed: WeighedOptions) -> list[Measurement]
     if weighed.swing_weight is not None:
         mass = next((measurement.value for measurement in measurements if measurement.kind == "mass"), None)
         measurements.append(of_swing_weight(weighed.swing_weight, described.sport, mass=mass, what="--swing-weight"))
+    measurements += _of_paddle(described, weighed)
     names = [measurement.name for measurement in measurements]
     if twice := next((name for name in names if names.count(name) > 1), None):
         raise InputError(f"the {twice} was given twice, by --measured, --swing-weight or its own option; give it once")
     return measurements
+
+
+def _of_paddle(described: Implement, weighed: WeighedOptions) -> list[Measurement]:
+    """Return the measurements of twist weight and stiffness of the face, which paddles alone have."""
+    from sweetspot.calibration.measurements import of_face_stiffness, of_twist_weight
+    from sweetspot.equipment.paddle import Paddle
+
+    given = {"--twist-weight": weighed.twist_weight, "--face-stiffness": weighed.face_stiffness}
+    readers = {"--twist-weight": of_twist_weight, "--face-stiffness": of_face_stiffness}
+    named = [(what, text) for what, text in given.items() if text is not None]
+    if named and not isinstance(described, Paddle):
+        raise InputError(f"{named[0][0]} is that of a paddle; leave it out")
+    return [readers[what](text, what=what) for what, text in named]
 
 
 def _tapped(described: Implement, recordings: list[Path], at: list[str]) -> tuple[list[Measurement], Measured | None]:
@@ -188,6 +208,7 @@ def _tapped(described: Implement, recordings: list[Path], at: list[str]) -> tupl
     from sweetspot.answers.tap import TapQuestion, tap_answer
     from sweetspot.calibration.response_file import read_taps
     from sweetspot.cli.tap_command import tap_places
+    from sweetspot.equipment.paddle import Paddle
     from sweetspot.reports.tap import touched_words, unlike_words
 
     if not recordings:
@@ -204,7 +225,7 @@ def _tapped(described: Implement, recordings: list[Path], at: list[str]) -> tupl
         print(f"sweetspot: {unlike_words(tapped.test)}", file=sys.stderr)
     if tapped.test.touched:
         print(f"sweetspot: {touched_words(tapped.test, tapped.test.touched)}", file=sys.stderr)
-    if tapped.damping is None:
+    if tapped.damping is None and not isinstance(described, Paddle):
         raise InputError(
             "no tone of the recordings is a bending mode of this bat; hang it freely, tap it 1 in from the tip"
         )
@@ -231,24 +252,21 @@ def _shots(described: Implement, given: CalibrationShotOptions) -> tuple[list[Sh
 def _tone(text: str, described: Implement) -> Measurement:
     """Return the measurement that a text like ``bending-1:171.3Hz`` names."""
     from sweetspot.calibration.measured import FLOORS, parse_measured
-    from sweetspot.calibration.measurements import Measurement, of_clamped_tone
-    from sweetspot.calibration.mode_naming import MOST_BENDING, ModeName
+    from sweetspot.calibration.measurements import TONES, Measurement, of_clamped_tone
     from sweetspot.calibration.tap_analysis import tones_to_fit
 
-    names = {f"bending-{number}": ModeName("bending", number) for number in range(1, MOST_BENDING + 1)}
-    names["hoop"] = ModeName("hoop", 2)
     name, _, value = text.partition(":")
     if name.strip() == "clamped" and value:
         return of_clamped_tone(value, described, what="--tone")
-    if name.strip() not in names or not value:
-        raise InputError(f"--tone was given as {text!r}; write {', '.join(names)} and a frequency: bending-1:171.3Hz")
+    if name.strip() not in TONES or not value:
+        raise InputError(f"--tone was given as {text!r}; write {', '.join(TONES)} and a frequency: bending-1:171.3Hz")
     frequency: Measured = parse_measured(value, "frequency", "--tone", floor=FLOORS["tone"])
     if frequency.value <= 0:
         raise InputError(f"--tone was given as {text!r}; allowed is a frequency of more than 0 Hz")
-    given = Measurement("frequency", frequency, mode=names[name.strip()])
-    if not tones_to_fit([given], described):
+    given = tones_to_fit([Measurement("frequency", frequency, mode=TONES[name.strip()])], described)
+    if not given:
         raise InputError(
             f"--tone was given as {text!r}; of {described.name} only the first bending mode counts, to which its "
-            "stiffness is scaled: bending-1"
+            "stiffness is scaled, bending-1, and of a paddle its face"
         )
-    return given
+    return given[0]

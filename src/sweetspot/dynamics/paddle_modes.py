@@ -139,6 +139,17 @@ def plate_modes(beam: BeamModel, *, patch_factor: float = 1.0, clamp: Clamp | No
     )
 
 
+def vibrations_of(paddle: Paddle) -> tuple[_Half, _Half]:
+    """Return all vibrations of a free paddle, even and odd."""
+    found = _vibrations(paddle, None)
+    return found["even"], found["odd"]
+
+
+def patch_shapes(mesh: PlateMesh, *, radius: float) -> Array:
+    """Return how much of each node's deflection patches feel that is even; see `_under_patches`."""
+    return _under_patches(mesh, radius=radius)["even"]
+
+
 def mesh_of(paddle: Paddle, columns: int = COLUMNS) -> PlateMesh:
     """Return the elements over half of a paddle's outline."""
     places = np.array(paddle.breakpoints())
@@ -281,6 +292,16 @@ def face_tone(paddle: Paddle) -> float:
     of_face = np.array([family == "face" for family in families[:EVEN_MODES]])
     part = (shares @ even.vectors[nodes])[:EVEN_MODES] / even.omega[:EVEN_MODES]
     return float(even.omega[int(np.argmax(np.where(of_face, np.abs(part), 0.0)))] / (2 * np.pi))
+
+
+def bending_tone(paddle: Paddle) -> float:
+    """Return the lowest tone of a paddle hung freely in Hz, which bends it and which the hand feels.
+
+    >>> from sweetspot import catalog
+    >>> bool(290 < bending_tone(catalog.implement("pickleball-paddle")) < 340)
+    True
+    """
+    return float(_vibrations(paddle, None)["even"].omega[0] / (2 * np.pi))
 
 
 TIP_RADIUS = 0.014

@@ -91,6 +91,8 @@ SCALES: Mapping[str, Scale] = {
     "tap_time": _same("_s", "µs", 1e-6, 0),
     "acceleration": Scale("_m_s2", Unit("ft/s²", FOOT, 0), Unit("m/s²", 1.0, 0)),
     "force": _same("_n", "kN", 1e3, 1),
+    "stiffness": _same("_n_m", "kN/m", 1e3, 0),
+    "core_shear": _same("_pa", "MPa", 1e6, 1),
     "blow": Scale("_n", Unit("lbf", POUND_FORCE, 0), Unit("kN", 1e3, 1)),
     "weight": Scale("_n", Unit("lbf", POUND_FORCE, 0), Unit("kN", 1e3, 2)),
     "tension": Scale("_n", Unit("lb", POUND_FORCE, 0), Unit("N", 1.0, 0)),

@@ -24,7 +24,7 @@ from sweetspot.dynamics.local_compliance import solid_bat_compliance
 from sweetspot.dynamics.modes import Modes
 from sweetspot.dynamics.patch import ByPatch, PatchLaw, patch_law
 from sweetspot.dynamics.reduction import all_modes
-from sweetspot.dynamics.rigid import rigid_body
+from sweetspot.dynamics.rigid import RigidBody, rigid_body
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
 from sweetspot.numerics.arrays import Array
@@ -200,12 +200,17 @@ def _drawn_implements(
     wholes = tuple(all_modes(end, ball, count=count) for end in ends)
     same = joined_batches([bending_batch(BeamRow([beam]), threads=1)] * len(deviations))
     drawn = DrawnBats(same, (), deviations / sizes, whole, wholes)
-    bodies = [rigid_body(model) for model in (beam, *ends)]
+    return with_bodies(drawn, [rigid_body(model) for model in (beam, *ends)])
+
+
+def with_bodies(drawn: DrawnBats, bodies: Sequence[RigidBody]) -> DrawnBats:
+    """Return implements with the followed mass, balance and moment of inertia of the described one and its ends."""
     mass, balance, moi = (
         drawn.followed([np.array([getattr(body, name)]) for body in bodies])[:, 0]
         for name in ("mass", "balance_point", "moi_cm")
     )
-    return replace(drawn, bending=replace(same, mass=mass, balance_point=balance, moi_cm=moi))
+    assert isinstance(drawn.bending, BendingBatch)
+    return replace(drawn, bending=replace(drawn.bending, mass=mass, balance_point=balance, moi_cm=moi))
 
 
 def _alike(shapes: Sequence[Array]) -> list[Array]:

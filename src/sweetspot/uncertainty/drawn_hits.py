@@ -24,11 +24,13 @@ from sweetspot.dynamics.patch import contact_patch
 from sweetspot.dynamics.reduction import all_modes
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.constants import STANDARD_AXIS
 from sweetspot.plausibility.table import MAX_SPEED
 from sweetspot.uncertainty.bat_draws import DrawnBats, drawn_bats
+from sweetspot.uncertainty.drawn_paddles import draw_paddles
 from sweetspot.uncertainty.sources import PATCH, PITCH, SWING, Sources, one_by_one
 from sweetspot.uncertainty.worth_measuring import Narrowing, narrowings
 
@@ -105,7 +107,11 @@ def draws_of(
     ball = conditions.ball
     balls = sources.balls(ball, off)
     swung, thrown = conditions.swing.bat_speed + sources.of(SWING, off), conditions.pitch.speed + sources.of(PITCH, off)
-    drawn_ones = drawn_bats(beam, sources.doubt, normal[:, : len(sources.doubt.behind)], ball=ball)
+    of_bat = normal[:, : len(sources.doubt.behind)]
+    if isinstance(beam.bat, Paddle) and sources.doubt.unknowns:
+        drawn_ones = draw_paddles(beam, sources.doubt, of_bat)
+    else:
+        drawn_ones = drawn_bats(beam, sources.doubt, of_bat, ball=ball)
     patch = np.exp(sources.of(PATCH, off))
     radii = patch * np.array([contact_patch(kind) for kind in balls]) / contact_patch(ball)
     # a patch goes as v^(1 / (n + 1)): another radius at this speed is that of another speed

@@ -170,7 +170,7 @@ class MeasuredTable(FileTable):
     measured: float
     error: PositiveFloat = Field(description="one standard error")
     axis: float = Field(0.0, description="of a moment of inertia or a period, m from the knob end")
-    family: Literal["bending", "hoop"] | None = Field(None, description="of the mode whose frequency it is")
+    family: Literal["bending", "hoop", "face"] | None = Field(None, description="of the mode whose frequency it is")
     harmonic: int = Field(1, description="of that mode")
 
 

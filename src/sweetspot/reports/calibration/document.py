@@ -16,6 +16,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.golf_club import GolfClub
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.numerics.interval import REACH
 from sweetspot.reports.document import Block, Cell, Column, Document, Paragraph, Table, as_columns, table_head
 from sweetspot.reports.quantities import reader
@@ -27,6 +28,8 @@ SCALE_OF: dict[MeasuredKind, tuple[str, int]] = {
     "moi": ("moi", 0),
     "period": ("time", 4),
     "frequency": ("frequency", 1),
+    "twist_weight": ("moi", 1),
+    "face_stiffness": ("stiffness", 0),
     "efficiency": ("ratio", 4),
 }
 """How each kind of measurement is shown, and to how many digits."""
@@ -38,6 +41,10 @@ VALUES = {
     "shear_modulus": ("shear modulus G", "modulus"),
     "density": ("density", "density"),
     "first_frequency": ("first frequency", "frequency"),
+    "twist_weight": ("twist weight", "moi"),
+    "core_shear": ("shear modulus of the core", "core_shear"),
+    "face_stiffness": ("stiffness of the face", "stiffness"),
+    "face_tone": ("tone of the face", "frequency"),
 }
 """What each value of the calibrated bat is called, and how it is shown."""
 WORDS = {
@@ -57,6 +64,9 @@ WORDS = {
     "balance_point": "balance point",
     "gyration": "radius of gyration",
     "first_frequency": "first frequency",
+    "swing_weight": "swing weight",
+    "rim": "rim round the tip over that along the sides",
+    "core_shear": "shear modulus of the core",
 }
 OF_CLUB = {"knob_mass": "mass of the grip", "end_mass": "mass of the head"}
 """Words of a golf club for what a bat has at its ends."""
@@ -243,7 +253,9 @@ def budget_words(answer: CalibrateAnswer) -> Sentence:
     posterior = answer.posterior
     bat = posterior.beam.bat
     what, unknown = ("E", "modulus") if isinstance(bat, Bat) else ("the first frequency", "first_frequency")
-    stiffness = answer.bat.longitudinal_modulus or answer.bat.first_frequency
+    if isinstance(bat, Paddle):
+        what, unknown = "the core's shear modulus", "core_shear"
+    stiffness = answer.bat.longitudinal_modulus or answer.bat.first_frequency or answer.bat.core_shear
     if stiffness is not None and stiffness.kind == "assumed":
         return say(
             "{what} was not measured and stays as described, give or take {half:share}. Tap the {bat} to know it.",
