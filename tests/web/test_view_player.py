@@ -11,7 +11,7 @@ import pytest
 from sweetspot.web.errors import FieldError
 from sweetspot.web.views.design import batter
 from sweetspot.web.views.design_state import DesignState
-from sweetspot.web.views.player import PlayerState, answer, recipe
+from sweetspot.web.views.player import PlayerState, answer, fit, recipe
 
 TEAM = "bat_speed_mph,exit_speed_mph,player\n" + "".join(
     f"{60 + row},{85 + row},{'Ann' if row % 3 else 'Bob'}\n" for row in range(18)
@@ -34,6 +34,13 @@ def test_the_made_up_player_has_no_name() -> None:
     found = answer(PlayerState())
     assert "made-up player" in found.words and found.batters == () and found.batter is None
     assert "--batter" not in recipe(PlayerState())["command"]
+
+
+def test_the_report_shows_its_picture_and_opens_its_words_on_demand() -> None:
+    for html in fit(PlayerState()).html.values():
+        before, _, behind = html.partition("<details>")
+        assert "<svg" in before and "What to train" in before and "Questions and answers" not in before
+        assert "Questions and answers" in behind and "What the swings say" in behind
 
 
 def test_design_takes_the_batter_who_was_chosen() -> None:

@@ -1,4 +1,4 @@
-"""A document as the page shows it: text and tables in either system of units; pictures it draws itself."""
+"""A document as the page shows it: text and tables in either system of units; most pictures it draws itself."""
 
 from __future__ import annotations
 
@@ -37,14 +37,20 @@ class ReadDocument:
     html: dict[System, str]
 
 
-def page_document(document: Document, *, mark: str = "") -> ReadDocument:
+def page_document(document: Document, *, mark: str = "", pictured: bool = False) -> ReadDocument:
     """Return a document as the page shows it.
 
     Parameters
     ----------
     mark : put behind its sections' anchors, where several documents stand on one page.
+    pictured : whether the document's own pictures stand in it, and its details below on demand, for a view that draws
+        none of them itself.
     """
-    bare = replace(document, blocks=_without_pictures(document.blocks, mark))
+    bare = (
+        replace(document, appendix=document.details)
+        if pictured
+        else replace(document, blocks=_without_pictures(document.blocks, mark))
+    )
     return ReadDocument(
         str(document.title), {system: unbroken(fragment(bare, reader)) for system, reader in SYSTEMS.items()}
     )

@@ -150,7 +150,8 @@ def fit(state: PlayerState) -> ReadDocument:
 @lru_cache(maxsize=16)
 def _fitted(state: PlayerState) -> ReadDocument:
     swings = _swings(state)
-    return page_document(player_document(player_answer(swings, player_advice(swings.question, learned(state)))))
+    document = player_document(player_answer(swings, player_advice(swings.question, learned(state))))
+    return page_document(document, pictured=True)
 
 
 @lru_cache(maxsize=16)

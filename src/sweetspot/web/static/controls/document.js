@@ -56,7 +56,7 @@ export class DocumentPlace {
     // several documents may stand on one page: none has names that another has, or a title that says nothing
     for (const one of this.element.querySelectorAll("h2")) if (!one.textContent) one.remove();
     for (const section of this.element.querySelectorAll("section")) section.removeAttribute("aria-labelledby");
-    for (const one of this.element.querySelectorAll("[id]")) one.removeAttribute("id");
+    for (const one of this.element.querySelectorAll("[id]")) if (!one.closest("svg")) one.removeAttribute("id"); // a drawing refers to its own
     for (const box of this.element.querySelectorAll(".scroll")) {
       box.setAttribute("role", "region");
       box.setAttribute("aria-label", titleOf(box));
