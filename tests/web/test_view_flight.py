@@ -242,7 +242,7 @@ def test_a_hit_in_space_is_the_play_s_where_it_happens() -> None:
     """Exact: the barrel rises by the attack angle, the ball lies as far off the bat's axis as asked, both touch."""
     state = FlightState(start="swing", offset_in=0.5, attack_angle_deg=12, tilt_deg=30, impact_from_tip_in=5)
     found, played = flight_swing.space(state), flight.answer(state)
-    assert isinstance(played, flight.FlownBall)
+    assert found is not None and isinstance(played, flight.FlownBall)
     axes = np.array([found.forward, found.up, found.tip])
     assert axes @ axes.T == pytest.approx(np.eye(3), abs=1e-12)
     assert math.asin(found.forward[2]) == pytest.approx(math.radians(12))
@@ -258,7 +258,8 @@ def test_a_hit_in_space_is_the_play_s_where_it_happens() -> None:
     assert "rises 12.0° in a plane tilted 30.0°" in found.sentence["us"][0]
     assert "1.3 cm above its axis" in found.sentence["si"][0]
     below = flight_swing.space(state.model_copy(update={"offset_in": -0.5, "attack_angle_deg": -5}))
+    assert below is not None
     assert "falls 5.0°" in below.sentence["us"][0]
     assert "0.50 in below its axis" in below.sentence["us"][0]
-    with pytest.raises(FieldError, match="from pitch and swing"):
-        flight_swing.space(FlightState())
+    assert flight_swing.space(FlightState()) is None  # nobody swings
+    assert flight_swing.space(state.model_copy(update={"offset_in": 5.0})) is None

@@ -44,7 +44,7 @@ export interface Asides {
   compare: { intervals: SureComparison; rules: CertifiedBats; sure: ReadDocument; rules_sure: ReadDocument; };
   design: { gain: DesignWorth; files: DesignFiles; batter: BatterControls; };
   player: { fit: ReadDocument; table: SwingTable; };
-  flight: { map: CarryMap; fences: Fences; space: HitInSpace; sure: ReadDocument; };
+  flight: { map: CarryMap; fences: Fences; space: HitInSpace | null; sure: ReadDocument; };
   optimum: { swing: ReadDocument; parks: ReadDocument; };
   season: { summary: SeasonWords; maps: SeasonMaps; player: ReadDocument | null; contacts: BatterControls; };
   paper: {  };

@@ -24,7 +24,7 @@ from sweetspot.units.dimensions import LENGTH, RATIO, SPEED, SPIN
 from sweetspot.web.bats import ball_of, conditions_of, place_of, reduced
 from sweetspot.web.documents import Sentences, in_both_systems
 from sweetspot.web.drawings import BatPicture, DrawnOutline, bat_picture, outline
-from sweetspot.web.errors import FieldError, about
+from sweetspot.web.errors import about
 from sweetspot.web.views.flight_state import FlightState
 
 FORWARD = USUAL_CONTACT[1]
@@ -125,15 +125,15 @@ def struck(state: FlightState, ball: Ball) -> tuple[BallMotion | None, SwungAt, 
     )
 
 
-def space(state: FlightState) -> HitInSpace:
-    """Return the swing and the hit where they happen, with the way the ball leaves and turns."""
+def space(state: FlightState) -> HitInSpace | None:
+    """Return the swing and the hit where they happen; None: no bat is swung, or it misses the ball."""
     if state.start != "swing":
-        raise FieldError("start", "this ball starts with its own numbers; let it start from pitch and swing")
+        return None
     ball = ball_of(state)
     free_bat, conditions, path, pitch, contact = met(state, ball)
     motion, swung_at, _ = struck(state, ball)
     if motion is None:
-        raise FieldError("offset_in", "the bat misses the ball; there is nothing to show")
+        return None
     place, axes = float(swung_at.position), path.axes
     apart = ball.radius + float(free_bat.bat.diameter_at(place)) / 2
     lift = math.asin(float(np.asarray(contact.offset)) / apart)
