@@ -26,13 +26,15 @@ from tests.browsers import for_people
 
 FOLDER = Path(__file__).parents[1] / "docs" / "pictures"
 SHOTS = {
-    "page-explorer": ("/explorer?bat=r161-ash&offset_in=0.5", "light", 1180, 1010),
+    "page-start": ("/", "light", 1180, 790),
+    "page-explorer": ("/explorer?bat=r161-ash&offset_in=0.5", "light", 1180, 1060),
     "page-explorer-dark": ("/explorer?bat=composite", "dark", 1180, 760),
     "page-phone": ("/explorer?bat=youth-30&pitch_speed_mph=50&bat_speed_mph=50", "light", 390, 900),
     "page-hit": ("/hit?bat=single-wall&moment_ms=0.45", "light", 1180, 900),
     "page-modes": ("/modes", "light", 1180, 760),
     "page-compare": ("/compare", "light", 1180, 980),
     "page-flight": ("/flight", "light", 1180, 760),
+    "page-space": ("/flight?start=swing&attack_angle_deg=12", "light", 1180, 760),
     "page-paper": ("/paper", "light", 1180, 900),
     "page-own": ("/own?weighed_oz=31.2&balanced_in=22.1&pendulum_ms=1454.5", "light", 1180, 1010),
     "page-own-tap": ("/own?weighed_oz=31&balanced_in=22.05&pendulum_ms=1454.5", "light", 1180, 1400),
@@ -42,6 +44,8 @@ SHOTS = {
 """Name of the picture: address, theme, width and height in pixels."""
 PRESSED = {"page-season": ("Look at a made-up season", "#view .facts")}
 """What is pressed before a picture is taken, and what is there once that is done."""
+OPENED = {"page-space": "#space"}
+"""A fold that is opened before a picture is taken."""
 HANDED_IN = {"page-own-tap": "#tap-file"}
 """Where a made-up sound of taps is handed in before a picture is taken; its tones are then among the measurements."""
 READING = 600_000
@@ -71,6 +75,8 @@ def main(wanted: list[str]) -> None:
                 taps = {"name": "taps.wav", "mimeType": "audio/wav", "buffer": taps_of("r161-ash")}
                 page.locator(HANDED_IN[name]).set_input_files(taps)  # type: ignore[arg-type]
                 page.locator("#view").get_by_text("bending 5").last.wait_for(timeout=READING)
+            if name in OPENED:
+                page.locator(f"{OPENED[name]} summary").click()
             if name in PRESSED:
                 words, there = PRESSED[name]
                 page.get_by_role("button", name=words).click()
