@@ -1975,7 +1975,7 @@ export interface WizardQuestion {
 
 /** What to measure on which implements, and half of the interval of the answer's speed once that is done. */
 export interface WorthMeasuring {
-  measured: ("mass" | "balance_point" | "moi" | "period" | "frequency" | "efficiency")[];
+  measured: ("mass" | "balance_point" | "moi" | "period" | "twist_weight" | "frequency" | "efficiency" | "face_stiffness")[];
   implements: string[];
   half_interval_m_s: number; half_interval_low_m_s?: number; half_interval_high_m_s?: number;
 }

@@ -59,6 +59,7 @@ export class BatView {
     this.drawing = false;
     /** @type {Shown | null} */
     this.data = null;
+    this.zoneWords = { left: Infinity, top: 0 }; // px, where those of the zone are
     this.held = null;
     this.grip = null;
     this.slip = [0, 0]; // m from the hand to what it holds, along and from the axis
@@ -164,6 +165,7 @@ export class BatView {
     context.beginPath();
     context.rect(this.range[0] > 0 ? LEFT : 0, 0, width, bottom + ROOM_BELOW);
     context.clip();
+    this.zoneWords.left = Infinity;
     if (spots?.zone_m) this.paintZone(context, spots.zone_m, across, place, bottom);
     paintBat(context, bat, place, colors, warm);
     if (this.data.ghost) paintOutline(context, this.data.ghost, place, colors.ink);
@@ -211,7 +213,9 @@ export class BatView {
     context.textAlign = "right";
     context.textBaseline = "top";
     context.fillStyle = colors.zoneInk;
-    context.fillText(`sweet zone ${this.app.text("zone_m", to - from, 1)}`, across(to), y + 4);
+    const words = `sweet zone ${this.app.text("zone_m", to - from, 1)}`;
+    context.fillText(words, across(to), y + 4);
+    this.zoneWords = { left: across(to) - context.measureText(words).width, top: y + 4 };
   }
 
   /**
@@ -238,7 +242,9 @@ export class BatView {
     if (place.scale < NARROW) return;
     context.fillStyle = colors.muted;
     const words = `balance ${text("balance_point_m", bat.balance_point_m, this.app.units, 1)}`;
-    context.fillText(words, this.besideBall(x, context.measureText(words).width / 2 + 3, across, place), y + 12);
+    const half = context.measureText(words).width / 2 + 3, { left, top } = this.zoneWords;
+    const middle = this.besideBall(x, half, across, place), over = Math.abs(y + 12 - top) < 14 && middle + half > left;
+    context.fillText(words, over ? left - half : middle, y + 12);
   }
 
   // The middle of words under the bat, moved from where the ball would cover them.
