@@ -124,6 +124,10 @@ ASKED: list[tuple[str, Callable[[], Any]]] = [
             R161, mass="31.00oz±0.05oz", balance_point="22.05in±0.05in", tones={"bending-1": door.Measured(171.5, 0.4)}
         ),
     ),
+    (
+        "calibrate r161-ash --measured bats.csv --row A",
+        lambda: door.calibrate(R161, measured="bats.csv", row="A"),
+    ),
     ("outline stations.csv --material maple", lambda: door.outline("stations.csv", material="maple")),
     (
         "tap tapped.wav --bat youth-30 --at 1in-from-tip",

@@ -281,10 +281,12 @@ def calibrate(
     *,
     mass: Amount | None = None,
     balance_point: Amount | None = None,
+    tones: Mapping[str, float | Measured] | None = None,
     period: Amount | None = None,
     moi: Amount | None = None,
     pivot: Amount | None = None,
-    tones: Mapping[str, float | Measured] | None = None,
+    measured: Path | str | None = None,
+    row: str | None = None,
 ) -> CalibrateAnswer: ...
 def centre_of_percussion(
     body: RigidBody | Tool,

@@ -40,6 +40,8 @@ SETUPS = {
         "Choices",
         "SwingerSetup",
         "SheetSetup",
+        "HungSetup",
+        "RowSetup",
         "GoalSetup",
         "BatterSetup",
         "LimitSetup",

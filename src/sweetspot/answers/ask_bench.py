@@ -6,6 +6,7 @@ The command line asks the same of the same files; see `sweetspot.calibrate`, `sw
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -104,24 +105,51 @@ def outline(
     return outline_answer(OutlineQuestion(measured, bat))
 
 
+@dataclass(frozen=True, kw_only=True)
+class HungSetup:
+    """What hung from an axis.
+
+    Parameters
+    ----------
+    period, moi : s of a full swing about the pivot, kg m^2 about it.
+    pivot : m from the knob end; None: the axis of the sport's swing weight.
+    """
+
+    period: Written | None = None
+    moi: Written | None = None
+    pivot: ExactPlace | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class RowSetup:
+    """The row of a table that `rank` reads and a kit's sheet saves.
+
+    Parameters
+    ----------
+    measured : the table; None: there is none.
+    row : name of the piece; None: the table has one row.
+    """
+
+    measured: Path | str | None = None
+    row: str | None = None
+
+
 def calibrate(
     implement: Loaded,
     *,
     mass: Written | None = None,
     balance_point: Written | None = None,
-    period: Written | None = None,
-    moi: Written | None = None,
-    pivot: ExactPlace | None = None,
+    hung: HungSetup = HungSetup(),
     tones: Mapping[str, float | Measured] | None = None,
+    table: RowSetup = RowSetup(),
 ) -> CalibrateAnswer:
     """Fit a bat to its measurements, with the uncertainty of each value.
 
     Parameters
     ----------
     implement : as described.
-    mass, balance_point, period, moi : kg, m from the knob end, s of a full swing about the pivot, kg m^2 about it; each
-        with its error: ``"31.0oz±0.1oz"``, or ``Measured(value, error)``.
-    pivot : m from the knob end; None: the axis of the sport's swing weight.
+    mass, balance_point : kg, m from the knob end; as period and moi each with its error: ``"31.0oz±0.1oz"``, or
+        ``Measured(value, error)``.
     tones : in Hz by name, ``{"bending-1": Measured(171.3, 0.5)}``, of a paddle also
         ``"face"``; one without an error is known to 1 Hz.
 
@@ -131,22 +159,27 @@ def calibrate(
         for a value without an error, or a bat that cannot have what was measured.
     """
     from sweetspot.answers.calibrate import CalibrateQuestion, calibrate_answer
-    from sweetspot.calibration.measurements import TONES, MeasuredKind, Measurement, of_tone
+    from sweetspot.calibration.bat_table import read_bat
+    from sweetspot.calibration.measurements import TONES, MeasuredKind, Measurement, of_tone, refuse_twice
 
     drawn = implement.implement.as_drawn()
-    axis = drawn.swing_axis if pivot is None else value_of(pivot)
+    axis = drawn.swing_axis if hung.pivot is None else value_of(hung.pivot)
     given: tuple[tuple[MeasuredKind, Written | None], ...] = (
         ("mass", mass),
         ("balance_point", balance_point),
-        ("period", period),
-        ("moi", moi),
+        ("period", hung.period),
+        ("moi", hung.moi),
     )
-    measurements = []
+    if table.row is not None and table.measured is None:
+        raise InputError("row was given without measured; name the table")
+    read = () if table.measured is None else read_bat(Path(table.measured), drawn, name=table.row, axis=axis)
+    measurements = [*read]
     for kind, value in given:
         if isinstance(value, Measured):
             measurements.append(Measurement(kind, value, axis=axis if kind in ("period", "moi") else STANDARD_AXIS))
         elif value is not None:
             raise InputError(f"{kind} was given without its error; write '31.0oz±0.1oz', or Measured(value, error)")
+    refuse_twice(measurements)
     for name, hertz in (tones or {}).items():
         if name not in TONES:
             raise InputError(f"the tone {name!r} is not known; allowed is one of {', '.join(TONES)}")

@@ -237,6 +237,13 @@ def _efficiencies(beam: BeamModel, shootings: Sequence[Shooting], livelier: floa
     return efficiencies
 
 
+def refuse_twice(measurements: Sequence[Measurement]) -> None:
+    """Refuse readings of which two are of one quantity."""
+    names = [measurement.name for measurement in measurements]
+    if twice := next((name for name in names if names.count(name) > 1), None):
+        raise InputError(f"the {twice} was given twice, in a table, as a swing weight or by itself; give it once")
+
+
 POINTS = re.compile(r"\s*[A-Za-z]\d(?:\.(\d+))?\s*")
 
 

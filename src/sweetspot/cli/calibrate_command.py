@@ -157,7 +157,7 @@ def calibrate(
 def _weighed(described: Implement, weighed: WeighedOptions) -> list[Measurement]:
     """Return the measurements by scale, balance and pendulum."""
     from sweetspot.calibration.measured import FLOORS, parse_measured
-    from sweetspot.calibration.measurements import Measurement, of_swing_weight
+    from sweetspot.calibration.measurements import Measurement, of_swing_weight, refuse_twice
     from sweetspot.plausibility import parse_position
 
     pivot = weighed.pivot
@@ -184,9 +184,7 @@ def _weighed(described: Implement, weighed: WeighedOptions) -> list[Measurement]
         mass = next((measurement.value for measurement in measurements if measurement.kind == "mass"), None)
         measurements.append(of_swing_weight(weighed.swing_weight, described.sport, mass=mass, what="--swing-weight"))
     measurements += _of_paddle(described, weighed)
-    names = [measurement.name for measurement in measurements]
-    if twice := next((name for name in names if names.count(name) > 1), None):
-        raise InputError(f"the {twice} was given twice, by --measured, --swing-weight or its own option; give it once")
+    refuse_twice(measurements)
     return measurements
 
 
