@@ -23,7 +23,16 @@ from sweetspot.reports.quantities import SYSTEMS, System
 from sweetspot.tables.vocabulary import UNITS, quantities
 from tools.tutorial_files import DAY, differing, measured
 
-CALIBRATED = ("r161-ash", "college-alloy", "corked-r161", "tennis-racket", "cricket-bat", "golf-driver", "hockey-stick")
+CALIBRATED = (
+    "r161-ash",
+    "college-alloy",
+    "corked-r161",
+    "tennis-racket",
+    "cricket-bat",
+    "golf-driver",
+    "hockey-stick",
+    "pickleball-paddle",
+)
 
 
 @pytest.mark.parametrize("system", ["us", "si"])

@@ -16,6 +16,7 @@ from sweetspot.dynamics.beam import beam_model
 from sweetspot.dynamics.hoop import hoop_frequency
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
+from sweetspot.equipment.paddle import Paddle
 from sweetspot.errors import InputError
 from sweetspot.plausibility.implements import SAME_MODEL
 from sweetspot.units.dimensions import FREQUENCY, LENGTH, MASS, RATIO, TIME, Dimension
@@ -119,6 +120,8 @@ def kit_answer(question: KitQuestion) -> KitAnswer:
 
 def _asked(model: Implement) -> tuple[str, ...]:
     """Return the quantities that are worth measuring, in the order of work."""
+    if isinstance(model, Paddle):
+        return OF_BODY  # its face rings, of which a table has no column
     if not isinstance(model, Bat):
         return (*OF_BODY, "bending_1")  # the rest of a racket's or club's stiffness is scaled to its first tone
     return (*OF_BODY, "bending_1", "bending_2", "hoop", "moisture")
