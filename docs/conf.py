@@ -39,6 +39,8 @@ html_static_path = ["_static"]
 html_css_files = ["sweetspot.css"]
 html_show_sourcelink = False
 html_copy_source = False
+html_extra_path = ["_generated/extra"]  # the schemas of answers
+(HERE / html_extra_path[0]).mkdir(parents=True, exist_ok=True)
 toc_object_entries = False  # thousands of functions in the contents beside every page: 50 s of the build
 
 napoleon_google_docstring = False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -34,6 +35,7 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from sweetspot.answers.report import report_of
+from sweetspot.answers.schema import answer_names, answer_schema, answer_type
 from sweetspot.reports.bat.figure import report_figure
 
 HERE = Path(__file__).resolve().parent
@@ -83,6 +85,7 @@ def pages() -> dict[str, Callable[[], str]]:
         "sources": tables.sources_page,
         "licences": licences.licences_table,
         "bundled": licences.bundled_table,
+        "schemas": schemas_table,
         "validation": tables.validation_page,
         "validation_summary": tables.validation_summary,
         "validation_subjects": tables.subjects_table,
@@ -92,6 +95,18 @@ def pages() -> dict[str, Callable[[], str]]:
         "unnoticed": evidence.unnoticed_table,
         **sport_tables.pages(),
     }
+
+
+def schemas_table() -> str:
+    """Write the schema of every answer for `html_extra_path` and return a table of them."""
+    folder = HERE / "_generated" / "extra" / "schema"
+    folder.mkdir(parents=True, exist_ok=True)
+    rows = []
+    for question, name in answer_names().items():
+        content = json.dumps(answer_schema(answer_type(question)), indent=1).encode()
+        write_if_changed(folder / f"{question}.json", content)
+        rows.append((f"`{question}`", f"`{name}`", f'<a href="schema/{question}.json">{question}.json</a>'))
+    return tables.table(("Answer", "Python", "Schema"), rows)
 
 
 def generate_all(folder: Path) -> dict[str, str]:

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any
 
 import jsonschema
+import polars as pl
 import pytest
 
 import sweetspot
 import sweetspot.cli
 from sweetspot import catalog
 from sweetspot.answers.schema import answer_names, answer_schema, answer_type
+from sweetspot.reports.season.document import write_tables
 from tests.documented import TUTORIALS
+from tests.seasons.conftest import made_up
 
 RACKET = catalog.implement("tennis-racket")
 ASKED: Mapping[str, Callable[[], Any]] = {
@@ -39,7 +43,7 @@ ASKED: Mapping[str, Callable[[], Any]] = {
     "kit": lambda: sweetspot.kit("r161-ash", pieces=3),
     "match": lambda: sweetspot.match(RACKET, RACKET.replaced(name="heavier", mass=0.33, moi=0.0335)),
 }
-OTHERWISE = {"season": "tests/seasons", "design": "seconds of searching", "outline": "a drawing"}
+OTHERWISE = {"season": "below, from a table", "design": "seconds of searching", "outline": "a drawing"}
 """Answers that are validated where they are made, or take long; their schemas are valid ones."""
 
 
@@ -62,6 +66,18 @@ def test_an_answer_is_as_its_schema_says(name: str) -> None:
     for units in ("si", "us"):
         told = json.loads(json.dumps(answer.to_dict(units), allow_nan=False))
         jsonschema.Draft202012Validator(answer_schema(type(answer), units)).validate(told)
+
+
+def test_a_season_is_as_its_schema_says_and_its_parquet_names_its_units(tmp_path: Path) -> None:
+    made_up(60, year=2024).write_csv(tmp_path / "season.csv")
+    answer = sweetspot.season(tmp_path / "season.csv", bats="r161-ash")
+    jsonschema.validate(json.loads(json.dumps(answer.to_dict())), answer_schema(type(answer)))
+    assert "players.parquet" in write_tables(answer, tmp_path)
+    metadata = pl.read_parquet_metadata(tmp_path / "players.parquet")
+    assert json.loads(metadata["made_with"])["version"] == sweetspot.__version__
+    units = json.loads(metadata["units"])
+    assert units["exit_speed_low90_mph"] == "mph" and units["carry_above_ft"] == "ft" and "home_runs" not in units
+    assert set(units) <= set(pl.read_parquet_schema(tmp_path / "players.parquet"))
 
 
 def test_another_unit_or_a_missing_number_is_noticed() -> None:

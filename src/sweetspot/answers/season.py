@@ -15,7 +15,7 @@ import polars as pl
 
 from sweetspot.answers.answer import Answer
 from sweetspot.answers.cautions import Caution, cautions_of
-from sweetspot.answers.records import INTERNAL
+from sweetspot.answers.records import GRID, INTERNAL
 from sweetspot.answers.season_question import SeasonQuestion, checked_season
 from sweetspot.collision.contact_table import table_errors, tabled_bat
 from sweetspot.errors import InputError
@@ -120,9 +120,9 @@ class Places:
     bat_speeds: SwingSpeeds
     marginal: tuple[float, float]
     balls: int
-    covariance: Array
-    spread_covariance: Array
-    noise_covariance: Array
+    covariance: Annotated[Array, GRID]
+    spread_covariance: Annotated[Array, GRID]
+    noise_covariance: Annotated[Array, GRID]
     evidence: float
     ranks: tuple[float, ...]
     spread: Annotated[float, LENGTH]

@@ -79,3 +79,20 @@ TEMPERATURE = Dimension("_degc", "_degf", 5 / 9, -160 / 9)
 ACCELERATION = Dimension("_m_s2", "_ft_s2", FOOT)
 ANGLE = Dimension("_rad", "_deg", DEGREE)
 SPIN = Dimension("_rad_s", "_rpm", RPM)
+SYMBOLS = {
+    "_m_s": "m/s", "_mph": "mph", "_m_s2": "m/s^2", "_ft_s2": "ft/s^2", "_m": "m", "_in": "in", "_ft": "ft",
+    "_kg": "kg", "_oz": "oz", "_kg_m2": "kg m^2", "_oz_in2": "oz in^2", "_n": "N", "_lbf": "lbf", "_pa": "Pa",
+    "_inhg": "inHg", "_degc": "degC", "_degf": "degF", "_rad": "rad", "_deg": "deg", "_rad_s": "rad/s", "_rpm": "rpm",
+    "_s": "s", "_hz": "Hz", "_j": "J", "_n_s": "N s", "_n_m": "N/m", "_kg_m3": "kg/m^3", "_lb_ft3": "lb/ft^3",
+}  # fmt: skip
+"""Units by what the name of a number in them ends with."""
+
+
+def unit_of(key: str) -> str | None:
+    """Return the unit of a number by its name; None: the name has none.
+
+    >>> unit_of("exit_speed_low90_mph"), unit_of("moi_6in_kg_m2"), unit_of("home_runs")
+    ('mph', 'kg m^2', None)
+    """
+    ending = max((end for end in SYMBOLS if key.endswith(end)), key=len, default=None)
+    return None if ending is None else SYMBOLS[ending]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from sweetspot.answers.season import SeasonAnswer, SeasonPlayer, SeasonTable
 from sweetspot.errors import UnwritableError
 from sweetspot.numerics.interval import Interval
 from sweetspot.numerics.text_files import harmless
+from sweetspot.reports.build_info import made_with
 from sweetspot.reports.document import (
     Block,
     Bullets,
@@ -47,6 +49,7 @@ from sweetspot.seasons.standings import MEASURES, Standing
 from sweetspot.seasons.table_copies import LEFT_OUT
 from sweetspot.seasons.table_file import CANNOT_TELL, WARNINGS, is_parquet
 from sweetspot.units import grouped
+from sweetspot.units.dimensions import unit_of
 
 SHOWN = 15
 """Players in the printed table."""
@@ -252,7 +255,8 @@ def write_tables(answer: SeasonAnswer, folder: Path) -> list[str]:
         harmless_table = table.with_columns(pl.col(texts).map_elements(harmless, return_dtype=pl.String))
         contents[folder / f"{stem}.csv"] = harmless_table.write_csv().encode()
         held = io.BytesIO()
-        table.write_parquet(held)
+        units = {name: unit for name in table.columns if (unit := unit_of(name)) is not None}
+        table.write_parquet(held, metadata={"made_with": json.dumps(made_with()), "units": json.dumps(units)})
         contents[folder / f"{stem}.parquet"] = held.getvalue()
     if contents:
         write_all(contents)
