@@ -181,3 +181,11 @@ def test_a_hole_has_a_depth_and_a_width(name: str, fill: str) -> None:
 def test_a_width_that_no_hole_has_is_refused(text: str) -> None:
     with pytest.raises(InputError, match=r"hole|unit"):
         changed(catalog.bat("r161-ash"), text)
+
+
+def test_a_table_becomes_a_frame_of_a_row_for_each_cell() -> None:
+    frame = sweetspot.what_if("r161-ash", {"mass": ["29 oz", "31 oz"], "bore_depth": [0.0, 0.2, 0.25]}).to_frame("us")
+    assert frame.height == 6 and frame.columns[:2] == ["mass_oz", "bore_depth_in"]
+    assert frame["mass_oz"].to_list() == pytest.approx([29.0] * 3 + [31.0] * 3)
+    drilled = frame["exit_speed_mph"].to_list()
+    assert drilled[0] > drilled[1] > drilled[2]  # what was drilled out is missing

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal, get_args
+from itertools import chain, product
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,7 +16,7 @@ from sweetspot.answers.answer import Answer
 from sweetspot.answers.records import GAPS, GRID, INTERNAL
 from sweetspot.equipment.ball import Ball
 from sweetspot.equipment.bat import Bat
-from sweetspot.errors import InputError
+from sweetspot.errors import InputError, missing_extras_named
 from sweetspot.flight.aerodynamics import Aerodynamics
 from sweetspot.flight.sweep import BattedBall, Varied, flight_table
 from sweetspot.motion.swing import Conditions
@@ -33,13 +34,41 @@ from sweetspot.units.dimensions import (
     SPIN,
     TEMPERATURE,
     TIME,
+    System,
 )
+
+if TYPE_CHECKING:
+    import polars
 
 BatCell = Literal[
     "exit_speed", "collision_efficiency", "bbcor", "bat_speed", "mass", "balance_point", "moi", "frequency"
 ]
 BAT_CELLS: tuple[BatCell, ...] = get_args(BatCell)
 FlightCell = Literal["carry", "hang_time", "apex", "landing_angle", "landing_speed"]
+
+
+def cells_as_columns(table: Mapping[str, Any]) -> dict[str, list[object]]:
+    """Return the cells of a table, row after row, as columns: what is varied, then every answer.
+
+    >>> cells_as_columns({"rows": {"mass_kg": [0.8, 0.9]}, "columns": None, "answers": {"bbcor": [[0.4], [0.5]]}})
+    {'mass_kg': [0.8, 0.9], 'bbcor': [0.4, 0.5]}
+    """
+    sides = list((table["rows"] | (table["columns"] or {})).items())
+    cells = list(product(*(values for _, values in sides)))
+    columns = {name: list(values) for (name, _), values in zip(sides, zip(*cells, strict=True), strict=True)}
+    answers = {name: list(chain.from_iterable(rows)) for name, rows in table["answers"].items()}
+    return {**columns, **{name: values for name, values in answers.items() if name not in columns}}
+
+
+class TableAnswer(Answer):
+    """A table of what one or two numbers change."""
+
+    def to_frame(self, units: System = "si") -> polars.DataFrame:
+        """Return the cells as a frame, row after row: what is varied, then every answer."""
+        with missing_extras_named():
+            import polars
+
+        return polars.DataFrame(cells_as_columns(self.to_dict(units)))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -112,7 +141,7 @@ class WhatIfQuestion:
 
 
 @dataclass(frozen=True, kw_only=True)
-class WhatIfAnswer(Answer):
+class WhatIfAnswer(TableAnswer):
     """What one or two changes of a bat do to its best hit and to its own numbers."""
 
     rows: VariedBat
@@ -187,7 +216,7 @@ class FlyTableQuestion:
 
 
 @dataclass(frozen=True, kw_only=True)
-class FlyTableAnswer(Answer):
+class FlyTableAnswer(TableAnswer):
     """How a hit ball flies as one or two of its numbers are varied; without ``columns`` it has one column."""
 
     rows: VariedFlight

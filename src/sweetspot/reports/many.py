@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from sweetspot.answers.records import plain_data
-from sweetspot.answers.what_if import FlyTableAnswer
+from sweetspot.answers.what_if import FlyTableAnswer, cells_as_columns
 from sweetspot.collision.hit_in_space import Strikes
 from sweetspot.collision.impact import Impacts, Outcome
 from sweetspot.flight.kernel import Flights
@@ -18,7 +18,6 @@ from sweetspot.reports.document import (
     Document,
     Paragraph,
     Picture,
-    cells_as_columns,
     drawn,
 )
 from sweetspot.reports.grid import Grid, varied

@@ -11,7 +11,7 @@ from sweetspot.analysis.certification.rules import NOT_SURE, Verdict
 from sweetspot.analysis.comparison import Comparison
 from sweetspot.answers.certify import CertifyAnswer, RuleCheck
 from sweetspot.answers.compare import CompareAnswer, ComparedBat, compare_of
-from sweetspot.answers.what_if import BAT_CELLS, FailedCell, WhatIfAnswer
+from sweetspot.answers.what_if import BAT_CELLS, FailedCell, WhatIfAnswer, cells_as_columns
 from sweetspot.catalog.sports import sport
 from sweetspot.catalog.swing_laws import swing_weight
 from sweetspot.dynamics.rigid import moi_doubt
@@ -33,7 +33,6 @@ from sweetspot.reports.document import (
     Picture,
     Table,
     as_columns,
-    cells_as_columns,
     drawn,
     table_head,
 )
