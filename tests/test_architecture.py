@@ -294,10 +294,10 @@ def test_the_front_door_opens() -> None:
 
 
 BUDGET = {
-    "__init__": 150, "__main__": 50, "analysis": 3_900, "answers": 12_400, "calibration": 7_400, "catalog": 4_080,
+    "__init__": 150, "__main__": 50, "analysis": 3_900, "answers": 12_500, "calibration": 7_400, "catalog": 4_080,
     "cli": 4_200, "collision": 4_000, "designs": 2_750, "dynamics": 5_350, "equipment": 3_950, "errors": 200,
     "flight": 3_500, "front_door": 450, "motion": 750, "numerics": 2_000, "papers": 850, "plausibility": 800,
-    "player": 4_520, "references": 150, "reports": 16_600, "seasons": 7_200, "tables": 1_000, "uncertainty": 2_050,
+    "player": 4_520, "references": 150, "reports": 16_750, "seasons": 7_200, "tables": 1_000, "uncertainty": 2_050,
     "units": 800, "validation": 3_100, "web": 11_000,
 }  # fmt: skip
 """Lines of Python that each package may have: a little more than it has. Raised only in a commit that says why; a

@@ -175,7 +175,7 @@ def certify_paddle_answer(question: CertifyPaddleQuestion) -> CertifyPaddleAnswe
     paddle, ball = question.paddle, question.ball
     body = rigid_body(beam_model(paddle))
     test = _tested(paddle, ball, question.speed, question.clamp_inertia)
-    interval = _interval(test)
+    interval = restitution_interval(test)
     bare = Clamp(axis=CLAMP_AXIS, reach=CLAMP_REACH, moi=0.0)
     alone = paddle_restitution(
         test.rebound, ball_mass=ball.mass, effective_mass=effective_mass_in(bare, body, test.position)
@@ -220,7 +220,7 @@ def _tested(paddle: Paddle, ball: Ball, speed: float, moi: float) -> PaddleTest:
     return paddle_test(paddle, ball=ball, speed=speed, clamp=clamp)
 
 
-def _interval(test: PaddleTest) -> Interval:
+def restitution_interval(test: PaddleTest) -> Interval:
     """Return the greatest restitution with what ball and core leave open: each moved to its ends, as independent."""
     paddle, ball, best = test.paddle, test.ball, test.best_pbcor
     half = 0.0 if ball.spread is None else ball.spread.restitution

@@ -17,6 +17,7 @@ from sweetspot.answers.certify import CertifyAnswer
 from sweetspot.answers.conditions import HitConditions, MassProperties, hit_conditions, mass_columns, mass_properties
 from sweetspot.answers.handling import Handling, HitBeside, handling_of, hits_beside
 from sweetspot.answers.kept_rules import RulesKept, certificate_of_sport, rules_kept
+from sweetspot.answers.paddle_numbers import PaddleFace, paddle_in_doubt
 from sweetspot.answers.records import (
     INTERNAL,
     NESTED,
@@ -104,6 +105,7 @@ class ComparedBat:
     break_even_bat_speed : with which the ball leaves as fast as from the reference; nan where none would do.
     max_exit_speed : the best place, from the knob end.
     handling, off_center : of rackets, see `Handling`; hits beside the middle of what has a flat face.
+    paddle : numbers of a paddle, with what it does in the test of its rules; None: not asked, or no paddle.
     breaking_speed : closing speed from which on a hit 12 in from the tip breaks the handle of a wooden bat; nan: not of
         wood, not known, or not asked, as in `compare_of`. See `sweetspot.analysis.strain.breaking_speed`.
     rules : whether it keeps those of its own sport; None: that was not asked, or it has none.
@@ -126,6 +128,7 @@ class ComparedBat:
     breaking_speed: Speed = float("nan")
     rules: RulesKept | None = None
     handling: Handling | None = None
+    paddle: PaddleFace | None = None
     off_center: tuple[HitBeside, ...] = ()
     worth_measuring: tuple[WorthMeasuring, ...] = ()
     swung_faster: Annotated[Speed, INTERNAL]
@@ -211,7 +214,15 @@ def compare_answer(question: CompareQuestion) -> CompareAnswer:
     comparison = compare(question.implements, conditions=question.conditions, law=question.law, labels=question.labels)
     ends = {number: _ends(question, both) for number, both in enumerate(question.ends) if both is not None}
     answer = compare_of(comparison, question.sources, drawn=question.drawn, draws=question.draws, ends=ends)
-    bats = (replace(bat, breaking_speed=_breaking_speed(bat.compared.analysis)) for bat in answer.bats)
+    doubts = [None] * len(answer.bats) if question.sources is None else [each.doubt for each in question.sources]
+    bats = (
+        replace(
+            bat,
+            breaking_speed=_breaking_speed(bat.compared.analysis),
+            paddle=paddle_in_doubt(bat.compared.analysis.bat, bat.compared.analysis.body, doubt),
+        )
+        for bat, doubt in zip(answer.bats, doubts, strict=True)
+    )
     answer = replace(answer, bats=tuple(bats))
     return _with_rules(answer) if question.rules else answer
 

@@ -80,6 +80,7 @@ SCALES: Mapping[str, Scale] = {
     "curvature": Scale("_per_m", Unit("per ft", 1 / FOOT, 2), Unit("per m", 1.0, 2)),
     "mass": Scale("_kg", Unit("oz", OUNCE, 1), Unit("g", 1e-3, 0)),
     "moi": Scale("_kg_m2", Unit("oz in²", OUNCE_INCH_SQUARED, 0), Unit("kg cm²", 1e-4, 0)),
+    "twist_weight": _same("_kg_m2", "kg cm²", 1e-4, 1),
     "head_moi": _same("_kg_m2", "g cm²", 1e-7, 0),
     "density": Scale("_kg_m3", Unit("lb/ft³", 16 * OUNCE / FOOT**3, 1), Unit("kg/m³", 1.0, 0)),
     "air_density": Scale("_kg_m3", Unit("lb/ft³", 16 * OUNCE / FOOT**3, 4), Unit("kg/m³", 1.0, 3)),

@@ -28,7 +28,7 @@ SCALE_OF: dict[MeasuredKind, tuple[str, int]] = {
     "moi": ("moi", 0),
     "period": ("time", 4),
     "frequency": ("frequency", 1),
-    "twist_weight": ("moi", 1),
+    "twist_weight": ("twist_weight", 2),
     "face_stiffness": ("stiffness", 0),
     "efficiency": ("ratio", 4),
 }
@@ -41,7 +41,7 @@ VALUES = {
     "shear_modulus": ("shear modulus G", "modulus"),
     "density": ("density", "density"),
     "first_frequency": ("first frequency", "frequency"),
-    "twist_weight": ("twist weight", "moi"),
+    "twist_weight": ("twist weight", "twist_weight"),
     "core_shear": ("shear modulus of the core", "core_shear"),
     "face_stiffness": ("stiffness of the face", "stiffness"),
     "face_tone": ("tone of the face", "frequency"),

@@ -18,7 +18,7 @@ from sweetspot.dynamics.rigid import moi_doubt
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
 from sweetspot.numerics.constants import STANDARD_AXIS
-from sweetspot.numerics.interval import Number, interval_of
+from sweetspot.numerics.interval import Number, chance_above, interval_of
 from sweetspot.reports.bat.tables import moment
 from sweetspot.reports.certification.limits_shown import MARKS, broken_rules, limit_shown, value_shown
 from sweetspot.reports.comparison.words import assumed, breaking_words, cork_verdict, gain_words, verdict
@@ -85,7 +85,7 @@ def compare_document(answer: CompareAnswer) -> Document:
         subtitle=_effort(answer), kind="Comparison",
         blocks=[
             *map(Paragraph, (*corked[:1], *gains, *chances, *breaking_words(answer))), picture,
-            _things(answer), *_handling(answer), _in_play(answer),
+            _things(answer), *_paddles(answer), *_handling(answer), _in_play(answer),
             *([legality_table(bats)] if ruled else []),
             *(Paragraph(note, "note") for note in notes),
             *([] if uncertainty is None else [how_sure(uncertainty, main)]),
@@ -136,6 +136,35 @@ def _things(answer: CompareAnswer) -> Table:
         row += [Slot(_of_draws(answer, each.max_bbcor), "ratio")] if isinstance(bat, Bat) else []
         rows.append(row)
     return Table(f"The {tool}s", columns, rows, name="compared")
+
+
+def _paddles(answer: CompareAnswer) -> list[Block]:
+    """Return the numbers that players compare: swing and twist weight, sweet zone, tone, and whether they are legal."""
+    rows: list[list[Cell]] = []
+    for each in answer.bats:
+        face, tool = each.paddle, each.compared.analysis.bat
+        if face is None:
+            return []
+        zone: Cell = None
+        if each.zone is not None:
+            low, high = each.zone
+            zone = say("{near:place, bare} to {far:place}", near=tool.length - high, far=tool.length - low)
+        legal: Cell = None
+        if face.pbcor is not None and face.pbcor_limit is not None:
+            legal = say("{chance:share}", chance=1 - chance_above(float(face.pbcor_limit), interval_of(face.pbcor)))
+        rows.append(
+            [
+                each.label,
+                Slot(face.swing_weight, "twist_weight", unit=False),
+                Slot(face.twist_weight, "twist_weight", unit=False),
+                zone,
+                Slot(face.face_tone, "frequency", 0, unit=False),
+                None if face.pbcor is None else Slot(face.pbcor, "ratio", 3),
+                legal,
+            ]
+        )
+    heads = ("swing weight kg cm²", "twist weight kg cm²", "sweet zone from the tip", "face Hz", "PBCoR", "legal")
+    return [Table("As players compare them", [Column("paddle"), *(Column(name, right=True) for name in heads)], rows)]
 
 
 def _handling(answer: CompareAnswer) -> list[Block]:

@@ -557,6 +557,7 @@ export interface DrawnComparedBat {
   breaking_speed_m_s: number; breaking_speed_low_m_s?: number; breaking_speed_high_m_s?: number;
   rules?: RulesKept;
   handling?: Handling;
+  paddle?: PaddleFace;
   off_center: HitBeside[];
   worth_measuring: WorthMeasuring[];
   shape: BatShape;
@@ -1307,6 +1308,19 @@ export interface OwnValue {
   value: number;
   half: number;
   known_from: string;
+}
+
+/** Numbers of a paddle; see `face_stiffness` and `face_tone`. */
+export interface PaddleFace {
+  swing_weight_kg_m2: number; swing_weight_low_kg_m2?: number; swing_weight_high_kg_m2?: number;
+  twist_weight_kg_m2: number; twist_weight_low_kg_m2?: number; twist_weight_high_kg_m2?: number;
+  face_stiffness_n_m: number; face_stiffness_low_n_m?: number; face_stiffness_high_n_m?: number;
+  deflection_force_n: number; deflection_force_low_n?: number; deflection_force_high_n?: number;
+  face_tone_hz: number; face_tone_low_hz?: number; face_tone_high_hz?: number;
+  rim_mass_kg: number; rim_mass_low_kg?: number; rim_mass_high_kg?: number;
+  handle_mass_kg: number; handle_mass_low_kg?: number; handle_mass_high_kg?: number;
+  pbcor?: number; pbcor_low?: number; pbcor_high?: number;
+  pbcor_limit?: number; pbcor_limit_low?: number; pbcor_limit_high?: number;
 }
 
 /** The paper's statements on one question with its formula's number and the full model's, and a picture. */
