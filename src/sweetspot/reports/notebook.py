@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def html_of(answer: Any) -> str:
-    """Return an answer of the package as HTML.
+    """Return an answer of the package as HTML, its details and its appendix, if that is made already, to be opened.
 
     Raises
     ------
@@ -32,7 +32,8 @@ def html_of(answer: Any) -> str:
     document = document_of(answer)
     from sweetspot.reports.html import notebook_cell
 
-    return notebook_cell(document, document.reader)
+    behind = () if callable(document.appendix) else document.appendix
+    return notebook_cell(replace(document, appendix=[*document.details, *behind]), document.reader)
 
 
 def text_of(answer: Any) -> str:
