@@ -72,8 +72,8 @@ def changes() -> dict[str, Sentence]:
         "offset_spread": say("{quarter} less scatter over and under", quarter=quarter),
         "towards_tip": say("contact {inch} nearer the tip", inch=inch),
         "towards_hands": say("contact {inch} nearer the hands", inch=inch),
-        "higher": say("contact {quarter} higher", quarter=quarter),
-        "lower": say("contact {quarter} lower", quarter=quarter),
+        "higher": say("ball {quarter} higher on the bat", quarter=quarter),
+        "lower": say("ball {quarter} lower on the bat", quarter=quarter),
         "attack_angle": say("{angle} more upward swing", angle=Slot(ATTACK_CHANGE, "angle")),
         "flatter": say("{angle} flatter swing", angle=Slot(ATTACK_CHANGE, "angle")),
     }
