@@ -22,7 +22,7 @@ SPEED = 20.0
 
 
 def test_each_draw_is_hit_as_its_own_paddle() -> None:
-    # exact: the same paddle, its plate solved anew; within 5e-4 of q at one standard deviation of everything
+    # exact: the same paddle, its plate solved anew; within 5e-4 of q with one thing off by one sigma, 2e-3 with all
     given, ball = paddle(), catalog.ball("pickleball")
     sources = sources_of(given, standard_conditions(given))
     normal = np.array([[0, 0, 0, 0], [1, 0, 0, 0], [0, -1, 0, 1], [1, 1, -1, -1], [-0.5, 0.3, 1, 1]], float)
@@ -41,7 +41,7 @@ def test_each_draw_is_hit_as_its_own_paddle() -> None:
     for number, row in enumerate(normal):
         own = deviated(described, sources.doubt.unknowns, row @ sources.doubt.factor.T)
         exact = hits(plate_modes(own), ball=ball, position=PLACES, closing_speed=SPEED).collision_efficiency
-        assert q[number] == pytest.approx(exact, abs=1e-3)
+        assert q[number] == pytest.approx(exact, abs=2e-3)
         assert drawn.bending.moi(0.05)[number] == pytest.approx(rigid_body(own).moi(0.05), rel=5e-3)
     assert hits_along(draws, PLACES).exit_speed.shape == (5, 5)
 
