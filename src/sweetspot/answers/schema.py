@@ -111,9 +111,10 @@ class _Definitions:
                 continue
             if OF_RECORD in marks:
                 ends = "low|high|" if PLAIN_ENDS in marks else ""
-                patterns[f"^({ends}{field.name}(_low|_high|_error)?)(_\\w+)?$"] = (
-                    SIDES if NESTED in marks else self.of(inner, marks)
+                value = (
+                    _sides(inner) if NESTED in marks else NUMBER if Measured in _parts(inner) else self.of(inner, marks)
                 )
+                patterns[f"^({ends}{field.name}(_low|_high|_error)?)(_\\w+)?$"] = value
                 continue
             for each in self._fields(field.name, inner, marks, dimension, absent=absent):
                 properties[each.key] = each.schema
@@ -176,7 +177,7 @@ class _Definitions:
         kinds = {part for member in members for part in _parts(member)}
         key = dimension.key(name, self.system)
         if NESTED in marks:
-            yield Field(key, not absent, SIDES)
+            yield Field(key, not absent, SIDES if absent else _sides(hint))
             return
         if CalibratedValue in kinds:
             inner = {each.key: each.schema for each in self._fields(name, Measured, (), dimension, absent=False)}
@@ -199,6 +200,11 @@ class _Definitions:
 
 def _unwrapped(hint: Any) -> tuple[Any, tuple[Any, ...]]:
     return (get_args(hint)[0], get_args(hint)[1:]) if get_origin(hint) is Annotated else (hint, ())
+
+
+def _sides(hint: Any) -> PlainTable:
+    """Return the schema of a number whose interval stands below its name, and which may be missing."""
+    return {"anyOf": [SIDES, PLAIN[type(None)]]} if type(None) in _parts(hint) else SIDES
 
 
 def _is_union(hint: Any) -> bool:
