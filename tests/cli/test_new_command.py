@@ -32,7 +32,7 @@ def test_options_make_a_file_that_is_an_implement(
 ) -> None:
     path = tmp_path / "mine.toml"
     code, out, err = run("new", str(path), *options)
-    assert (code, out) == (0, "") and f"next: sweetspot report {path}" in err
+    assert (code, err) == (0, "") and f"next: sweetspot report {path}" in out
     assert f'like = "{parent}"' in path.read_text(encoding="utf-8")
     made, asked = catalog.load_implement(str(path)), dict(zip(options[::2], options[1::2], strict=True))
     assert made.length == pytest.approx(float(asked["--length"].removesuffix("in")) * INCH)
