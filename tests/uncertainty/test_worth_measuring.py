@@ -7,6 +7,7 @@ import pytest
 
 from sweetspot import catalog, rigid_body
 from sweetspot.analysis.comparison import Comparison, compare
+from sweetspot.calibration.measurements import MeasuredKind
 from sweetspot.catalog.standard_hit import standard_analysis, standard_conditions
 from sweetspot.equipment.bat import Bat
 from sweetspot.equipment.implement import Implement
@@ -26,7 +27,7 @@ def doubt(tool: Implement) -> SpeedDoubt:
 
 @pytest.mark.parametrize("kinds", [("balance_point",), ("moi",)])
 @pytest.mark.parametrize("name", ["r161-ash", "torpedo"])
-def test_what_is_told_is_what_comes_of_it(name: str, kinds: tuple[str, ...]) -> None:
+def test_what_is_told_is_what_comes_of_it(name: str, kinds: tuple[MeasuredKind, ...]) -> None:
     tool = catalog.implement(name)
     told = {each.measured: each.error for each in doubt(tool).narrowings}
     body = rigid_body(beam_of(tool))
