@@ -24,16 +24,11 @@ def lead_paragraphs(advice: Advice) -> list[Words]:
 
 def _bat(advice: Advice) -> Words:
     """Return the bat that the swings name, or why they name none."""
-    choice, best = advice.choice, advice.surely_best
+    choice = advice.choice
     if choice is not None and advice.named_best is not None:
-        return _named(choice, advice)
-    if best is not None and best.candidate.family != "swung":
-        return say(
-            "By this player's own swings {label} would be better: {change}, with a chance of {chance:share}.",
-            label=option_words(best.candidate),
-            change=goal_shown(best.change, advice.goal, sign=True),
-            chance=best.chance,
-        )
+        return joined([_named(choice, advice), *_computed(advice, "Better still, of bats not swung yet: {label}, ")])
+    if computed := _computed(advice, "By this player's own swings {label} would be better: "):
+        return computed[0]
     likeliest: Words = ""
     if choice is not None and choice.own:
         first = choice.bats[0]
@@ -50,6 +45,20 @@ def _bat(advice: Advice) -> Words:
         why=why,
         experiment=EXPERIMENT,
     )
+
+
+def _computed(advice: Advice, text: str) -> list[Sentence]:
+    """Return the bat that was not swung and that the own swings surely call better; nothing where there is none."""
+    best = advice.surely_best
+    if best is None or best.candidate.family == "swung":
+        return []
+    sentence = say(
+        text + "{change}, with a chance of {chance:share}.",
+        label=option_words(best.candidate),
+        change=goal_shown(best.change, advice.goal, sign=True),
+        chance=best.chance,
+    )
+    return [sentence]
 
 
 def _named(choice: BatChoice, advice: Advice) -> Sentence:
