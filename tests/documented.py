@@ -36,6 +36,8 @@ LONG = {
     "tap r161.wav": "tests/cli/test_tap_command.py runs the same, and calibrate on the page on one's own bat",
     "tap taps.wav": "the same",
     "tap shaft.wav": "the same",
+    "tap mine.wav": "tests/calibration/test_paddle_core.py hears made-up paddles",
+    "calibrate pickleball-paddle": "seconds; tests/calibration/test_paddle_calibration.py does the same",
     "tap frame.wav": "the same",
     "report mine.toml --uncertainty": "a thousand draws; tests/uncertainty runs them",
     "compare r161-ash mine.toml --uncertainty": "the same",

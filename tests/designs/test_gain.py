@@ -18,7 +18,7 @@ from sweetspot.designs.batter import FROM_TIP, contacts_at
 from sweetspot.designs.constraints import Limit
 from sweetspot.designs.gain import CLEARLY, PAIR, GainVerdict, gain_of, present_measured
 from sweetspot.designs.measures import Bench
-from sweetspot.designs.pareto import DesignSearch, Front, search
+from sweetspot.designs.pareto import DesignSearch, Front, Generation, search
 from sweetspot.equipment.bat import Bat
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -77,7 +77,7 @@ def test_few_balls_are_no_gain_that_you_could_see(design: Designed, balls: int, 
     measured = few.measured(design.numbers)
     gain = gain_of(few, design.numbers, measured, present_measured(few))
     assert (gain.verdict is GainVerdict.SEEN) == seen == (gain.balls_needed is None)
-    front = Front(design.numbers[None], measured, 0, design.numbers[None])
+    front = Front(design.numbers[None], measured, Generation(0, design.numbers[None], measured))
     text = read(worth_words(designed_bat(few, design.question, front)), US)
     assert f"{balls} balls tell of the contacts" in text
     assert ("met as these the gain would be seen" in text) == (not seen)

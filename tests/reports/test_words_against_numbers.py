@@ -104,9 +104,16 @@ def test_a_comparison_s_words_have_the_signs_of_its_changes() -> None:
         assert bat.label in swung and ("faster" in leaves, "slower" in leaves) == (change > 0, change < 0)
         assert ("faster" in swung, "slower" in swung) == (gain > NO_SPEED, gain < -NO_SPEED)
         sure = sure_sign(low, high, nothing=NO_SPEED)
-        probably = {True: r": probably a gain \(\d\d %\)\.$", False: r": probably a loss \(\d\d %\)\.$"}
+        probably = {
+            True: r": probably a gain \(\d\d %\)\.( To know it |$)",
+            False: r": probably a loss \(\d\d %\)\.( To know it |$)",
+        }
         chance = chance_above(0.0, Interval(change, low, high))
-        words = probably[chance > 0.5] if max(chance, 1 - chance) >= PROBABLY else r": the sign is not sure\.$"
+        words = (
+            probably[chance > 0.5]
+            if max(chance, 1 - chance) >= PROBABLY
+            else r": the sign is not sure\.( To know it |$)"
+        )
         assert re.search({0: words, 1: r": a gain\.$", -1: r": a loss\.$"}[sure], text)
         assert text.startswith(str(alone).removesuffix(".")) and not re.search("sure|gain|loss|if ", str(alone))
 

@@ -74,10 +74,10 @@ def test_light_and_dark(page: Page, server: str, answered: Answered) -> None:
     page.goto(f"{server}/explorer")
     answered(page)
     ground = "getComputedStyle(document.documentElement).backgroundColor"
-    light, drawn = page.evaluate(ground), page.locator("#view canvas").first.screenshot()
+    light, drawn = page.evaluate(ground), page.locator("#view canvas:visible").first.screenshot()
     page.locator("#theme").click()
     assert page.evaluate(ground) != light
-    assert page.locator("#view canvas").first.screenshot() != drawn
+    assert page.locator("#view canvas:visible").first.screenshot() != drawn
     page.reload()
     answered(page)
     assert page.evaluate(ground) != light  # remembered
@@ -178,7 +178,7 @@ def test_a_view_opened_without_a_server_says_so_and_comes_with_it(
         expect(page.locator("#view .absent")).to_have_count(0)
         expect(page.locator("#bench-chip")).to_contain_text("Youth 30 in")
         expect(page.locator("[data-field=park] option")).not_to_have_count(1)  # the lists too
-        expect(page.locator("#view canvas").first).to_be_visible()
+        expect(page.locator("#view canvas:visible").first).to_be_visible()
         settled(page)
 
 
@@ -194,7 +194,7 @@ def test_a_view_whose_file_did_not_come_comes_once_it_can(
     page.locator("#groups a", has_text="The ball").click()
     expect(page.locator("#view .absent")).to_contain_text("Flight needs the server")
     page.unroute(f"**/static/{LATER}*")
-    expect(page.locator("#view[data-view=flight] canvas").first).to_be_visible()
+    expect(page.locator("#view[data-view=flight] canvas:visible").first).to_be_visible()
     expect(page.locator("#view .absent")).to_have_count(0)
     expect(page.locator("#status")).to_be_hidden()
     settled(page)

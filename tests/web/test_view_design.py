@@ -103,7 +103,14 @@ def test_the_files_are_the_bat(client: httpx.Client, pulled: dict[str, Any]) -> 
 
 
 def test_a_batter_comes_from_a_fit_or_is_refused_in_a_line(client: httpx.Client) -> None:
-    values = {"position": 0.2, "position_spread": 0.05, "offset": 0.0, "offset_spread": 0.03, "bat_speed": 30.0}
+    values = {
+        "position": 0.2,
+        "position_spread": 0.05,
+        "offset": 0.0,
+        "offset_spread": 0.03,
+        "bat_speed": 30.0,
+        "exponent": 0.3,
+    }
     text = json.dumps({"parameters": {name: {"value": one} for name, one in values.items()}, "pitch_speed_m_s": 36.0})
     found = asked(client, "/batter", swings_csv=text)
     assert found["contact_in"] == pytest.approx(7.87) and found["bat_speed_mph"] == pytest.approx(67.11)

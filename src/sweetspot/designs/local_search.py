@@ -10,7 +10,7 @@ import numpy as np
 
 from sweetspot.designs.constraints import Limit, check_limits
 from sweetspot.designs.measures import MEASURES, Bench, MeasuredDesigns
-from sweetspot.designs.pareto import DesignSearch, Front, front_of, search
+from sweetspot.designs.pareto import DesignSearch, Front, Generation, front_of, search
 from sweetspot.designs.variables import ranges
 from sweetspot.errors import InputError
 from sweetspot.numerics.arrays import Array
@@ -185,7 +185,7 @@ def design_front(
     bench: Bench,
     question: DesignSearch,
     *,
-    after: tuple[int, Array] | None = None,
+    after: Generation | None = None,
     progress: Callable[[int, Front], None] | None = None,
 ) -> Front:
     """Return the front of a question, its best in the first want polished.
@@ -217,4 +217,4 @@ def best_value(front: Front, want: str) -> float:
 def _with_first(front: Front, numbers: Array, measured: MeasuredDesigns) -> Front:
     """Return a front with another first bat; those that it beats in everything are left out by the caller's eye."""
     both = measured.followed_by(front.measured.rows(range(1, len(front))))
-    return Front(np.concatenate([numbers[None], front.numbers[1:]]), both, front.generation, front.population)
+    return Front(np.concatenate([numbers[None], front.numbers[1:]]), both, front.last)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -19,6 +19,8 @@ from sweetspot.numerics.arrays import Array
 from sweetspot.numerics.whole_files import digest
 
 POPULATION, GENERATIONS = 48, 8
+STATE = ("generation", "variables", "population", "measured", "curve", "worth")
+"""Entries of a saved search that a digest guards."""
 NEAR_START = 0.25
 """Part of every range within which the first bats lie around the present one."""
 
@@ -53,18 +55,32 @@ class DesignSearch:
             )
 
 
+class Generation(NamedTuple):
+    """A whole generation of a search, from which it can go on: its number and its bats.
+
+    What was measured goes along: measured again among other bats, the last digits differ, and with them the search.
+    """
+
+    number: int
+    numbers: Array
+    measured: MeasuredDesigns
+
+
 @dataclass(frozen=True)
 class Front:
     """Bats none of which is better in everything, the best in the first want first.
 
-    ``numbers``: of every bat, shape (n, variables). ``generation``: how many generations were looked at.
-    ``population``: numbers of the whole last generation, to go on from.
+    ``numbers``: of every bat, shape (n, variables). ``last``: the last generation that was looked at.
     """
 
     numbers: Array
     measured: MeasuredDesigns
-    generation: int
-    population: Array
+    last: Generation
+
+    @property
+    def generation(self) -> int:
+        """How many generations were looked at."""
+        return self.last.number
 
     def __len__(self) -> int:
         return len(self.numbers)
@@ -75,7 +91,7 @@ def search(
     question: DesignSearch,
     *,
     starts: Array,
-    after: tuple[int, Array] | None = None,
+    after: Generation | None = None,
     progress: Callable[[int, Front], None] | None = None,
 ) -> Front:
     """Return the front of bats that keep every limit.
@@ -84,34 +100,37 @@ def search(
     goes on as if it had not been. Ctrl-C ends it with the front that it has.
 
     ``starts``: numbers of bats that keep the limits, from which it begins, shape (bats, variables); see `check_limits`.
-    ``after``: generations already done, and the last one's numbers. ``progress``: called with the number of generations
+    ``after``: the last generation of an earlier part. ``progress``: called with the number of generations
     done and the front so far.
     """
     variables = bench.space.variables
     low, high = ranges(variables)
-    generation_done, numbers = after or (0, _first(question, np.atleast_2d(starts), low, high))
-    measured = bench.measured(numbers)
-    front = _front(question, numbers, measured, generation_done)
+    if after is None:
+        numbers = _first(question, np.atleast_2d(starts), low, high)
+        after = Generation(0, numbers, bench.measured(numbers))
+    last = after
+    front = _front(question, last)
     try:
-        for generation in range(generation_done, question.generations):
-            numbers, measured = _next_generation(bench, question, (low, high), (numbers, measured), generation)
-            front = _front(question, numbers, measured, generation + 1)
+        while last.number < question.generations:
+            last = _next_generation(bench, question, (low, high), last)
+            front = _front(question, last)
             if progress is not None:
-                progress(generation + 1, front)
+                progress(last.number, front)
     except KeyboardInterrupt:
         pass
     if len(front) == 0:
-        raise InputError(_nearest_words(question, measured, front.generation))
+        raise InputError(_nearest_words(question, front.last))
     return front
 
 
 def front_of(bench: Bench, question: DesignSearch, numbers: Array) -> Front:
     """Return the front of some bats before any generation, shape (bats, variables)."""
-    return _front(question, numbers, bench.measured(numbers), 0)
+    return _front(question, Generation(0, numbers, bench.measured(numbers)))
 
 
-def _nearest_words(question: DesignSearch, measured: MeasuredDesigns, generation: int) -> str:
+def _nearest_words(question: DesignSearch, last: Generation) -> str:
     """Return the error that no bat keeps all limits, with the limit that the nearest bat exceeds most."""
+    generation, _, measured = last
     missed = np.maximum(excesses(question, measured), 0.0)
     nearest = int(np.argmin(missed.sum(axis=1)))
     limit = question.limits[int(np.argmax(missed[nearest]))]
@@ -137,32 +156,33 @@ def excesses(question: DesignSearch, measured: MeasuredDesigns) -> Array:
 
 def saved(bench: Bench, question: DesignSearch, front: Front) -> str:
     """Return a search as text, from which it can go on."""
-    population = front.population.tolist()
-    return json.dumps(
-        {
-            "question": fingerprint(bench, question),
-            "digest": _digest_of(front.generation, population),
-            "generation": front.generation,
-            "variables": [variable.name for variable in bench.space.variables],
-            "population": population,
-        },
-        indent=1,
-    )
+    number, numbers, measured = front.last
+    state = {
+        "generation": number,
+        "variables": [variable.name for variable in bench.space.variables],
+        "population": numbers.tolist(),
+        "measured": {name: values.tolist() for name, values in measured.values.items()},
+        "curve": measured.curve.tolist(),
+        "worth": measured.worth.tolist(),
+    }
+    return json.dumps({"question": fingerprint(bench, question), "digest": _digest_of(state), **state}, indent=1)
 
 
-def _digest_of(generation: int, population: list[list[float]]) -> str:
+def _digest_of(state: Mapping[str, Any]) -> str:
     """Return a hash of the state of a search, so that a number that was changed since is noticed."""
-    return digest(json.dumps([generation, population]).encode()).hex()
+    return digest(json.dumps({name: state[name] for name in STATE}).encode()).hex()
 
 
-def resumed(bench: Bench, question: DesignSearch, text: str) -> tuple[int, Array]:
-    """Return generations done and the last one's numbers from a saved search."""
+def resumed(bench: Bench, question: DesignSearch, text: str) -> Generation:
+    """Return the last generation of a saved search."""
     try:
         state: Any = json.loads(text)
         same = state["question"] == fingerprint(bench, question)
-        generation, numbers = int(state["generation"]), np.array(state["population"], float)
-        whole = state["digest"] == _digest_of(generation, state["population"])
-    except (ValueError, KeyError, TypeError) as error:
+        values = {name: np.array(column, float) for name, column in state["measured"].items()}
+        measured = MeasuredDesigns(values, np.array(state["curve"], float), np.array(state["worth"], float))
+        last = Generation(int(state["generation"]), np.array(state["population"], float), measured)
+        whole = state["digest"] == _digest_of(state)
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise InputError(f"this is no saved search: {error}; leave out --resume to begin anew") from None
     if not same:
         raise InputError(
@@ -171,9 +191,10 @@ def resumed(bench: Bench, question: DesignSearch, text: str) -> tuple[int, Array
         )
     if not whole:
         raise InputError("the saved search was changed since it was written; leave out --resume to begin anew")
+    numbers = last.numbers
     if numbers.ndim != 2 or numbers.shape[1] != len(bench.space.variables) or not np.all(np.isfinite(numbers)):
         raise InputError("the saved search holds no generation of bats; begin anew")
-    return generation, numbers
+    return last
 
 
 def fingerprint(bench: Bench, question: DesignSearch) -> str:
@@ -210,16 +231,15 @@ def _next_generation(
     bench: Bench,
     question: DesignSearch,
     ends: tuple[Array, Array],
-    parents: tuple[Array, MeasuredDesigns],
-    generation: int,
-) -> tuple[Array, MeasuredDesigns]:
+    parents: Generation,
+) -> Generation:
     """Return the survivors of a generation and its children, by pymoo's NSGA-II."""
     from pymoo.algorithms.moo.nsga2 import NSGA2
     from pymoo.core.population import Population
     from pymoo.core.problem import Problem
     from pymoo.core.termination import NoTermination
 
-    numbers, measured = parents
+    generation, numbers, measured = parents
     count = len(question.wants)
     problem = Problem(
         n_var=len(ends[0]), n_obj=count, n_ieq_constr=max(1, len(question.limits)), xl=ends[0], xu=ends[1]
@@ -239,7 +259,7 @@ def _next_generation(
     every, both = np.concatenate([numbers, fresh]), measured.followed_by(seen)
     algorithm.tell(infills=children)
     rows = _rows(every, np.asarray(algorithm.pop.get("X"), float))
-    return every[rows], both.rows(rows)
+    return Generation(generation + 1, every[rows], both.rows(rows))
 
 
 def _rows(every: Array, some: Array) -> list[int]:
@@ -252,8 +272,9 @@ def _evaluated(population: Any) -> None:
         individual.evaluated.update({"F", "G", "H"})
 
 
-def _front(question: DesignSearch, numbers: Array, measured: MeasuredDesigns, generation: int) -> Front:
+def _front(question: DesignSearch, last: Generation) -> Front:
     """Return those that keep the limits and that no other beats in everything."""
+    _, numbers, measured = last
     allowed = np.flatnonzero((excesses(question, measured) <= 0.0).all(axis=1))
     want = objectives(question, measured)[allowed]
     beaten = np.array([bool(np.any((want <= other).all(axis=1) & (want < other).any(axis=1))) for other in want], bool)
@@ -261,4 +282,4 @@ def _front(question: DesignSearch, numbers: Array, measured: MeasuredDesigns, ge
     _, once = np.unique(np.round(objectives(question, measured)[best], 12), axis=0, return_index=True)
     best = best[np.sort(once)]
     order = best[np.argsort(objectives(question, measured)[best, 0], kind="stable")]
-    return Front(numbers[order], measured.rows(order), generation, numbers)
+    return Front(numbers[order], measured.rows(order), last)

@@ -169,7 +169,7 @@ def league_words(answer: SeasonAnswer) -> list[Sentence]:
 def _agreement_words(answer: SeasonAnswer) -> Sentence:
     """Return how home runs and distances agree with the tables; nothing where no table has either."""
     found = answer.agreement
-    gone, tracked = found.home_run_kinds > 0, found.distance_kinds > 0
+    gone, tracked = found.home_run_kinds > 0, found.distance_above is not None
     if not gone and not tracked:
         return Sentence(())
     return tell(AGREES, agreement=found, gone=gone, tracked=tracked, both=gone and tracked, near=APART)

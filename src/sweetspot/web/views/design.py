@@ -21,7 +21,7 @@ from sweetspot.designs.batter_files import contacts_of_file, fitted_player
 from sweetspot.designs.constraints import AS_IT_IS, Limit, findings_of
 from sweetspot.designs.gain import CLEARLY, LIKELY, gain_of
 from sweetspot.designs.measures import MEASURES, MeasuredDesigns
-from sweetspot.designs.pareto import Front
+from sweetspot.designs.pareto import Front, Generation
 from sweetspot.designs.turned import HANDLES, TurnedSpace
 from sweetspot.designs.variables import Variable
 from sweetspot.dynamics.beam import beam_model
@@ -314,7 +314,7 @@ def gain(state: DesignState) -> DesignWorth:
 def _designed(state: DesignState, shaped: _Shaped) -> Designed:
     """Return one bat as the only one of its front, with everything around it."""
     bench, now, numbers, measured = shaped.request.bench, shaped.request.now, shaped.numbers, shaped.measured
-    front = Front(numbers[None], measured, 0, numbers[None])
+    front = Front(numbers[None], measured, Generation(0, numbers[None], measured))
     gain = gain_of(bench, numbers, measured, now)
     checks = tuple(check for _, check in _checks(state, shaped))
     return Designed(bench, question_of(state), front, 0, now, gain, shaped.bat, checks=checks, bent=None)

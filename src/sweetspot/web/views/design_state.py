@@ -19,7 +19,7 @@ from sweetspot.designs.constraints import AS_IT_IS, Limit, kept_limits, nearest_
 from sweetspot.designs.gain import present_measured
 from sweetspot.designs.local_search import design_front
 from sweetspot.designs.measures import Bench, MeasuredDesigns, bench_of
-from sweetspot.designs.pareto import DesignSearch, Front
+from sweetspot.designs.pareto import DesignSearch, Front, Generation
 from sweetspot.designs.spaces import space_of
 from sweetspot.designs.turned import TurnedSpace
 from sweetspot.designs.variables import Space
@@ -267,11 +267,11 @@ class FrontProgress:
     present: Mapping[str, float] = field(default_factory=dict)
 
 
-def search(state: DesignState, *, after: tuple[int, Array] | None, say: Say) -> FrontProgress:
+def search(state: DesignState, *, after: Generation | None, say: Say) -> FrontProgress:
     """Look for better bats: begins a search whose front the page sees growing."""
     task = asked(state)
     question = question_of(state)
-    begun = 0 if after is None else after[0]
+    begun = 0 if after is None else after.number
     if after is not None and begun >= question.generations:  # asked to go on beyond its end
         question = replace(question, generations=min(2000, begun + state.generations))
     nothing = FrontProgress(task.key, begun, question.generations, question.wants)
@@ -281,7 +281,7 @@ def search(state: DesignState, *, after: tuple[int, Array] | None, say: Say) -> 
         return replace(nothing, generation=generation, front=_bats(task.bench, front), present=present)
 
     def grown(generation: int, front: Front) -> None:
-        say(progress_at(generation, front), (generation, front.population) if generation else None)
+        say(progress_at(generation, front), front.last if generation else None)
 
     say(nothing, after)
     front = design_front(task.bench, question, after=after, progress=grown)
