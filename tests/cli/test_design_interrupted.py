@@ -23,11 +23,11 @@ from sweetspot.designs import local_search, pareto
 local_search.LOOKS, local_search.WAYS, local_search.POINTS = 2, 1, 5
 real = pareto._next_generation
 
-def generation(bench, question, ends, parents, number):
-    while number == {number}:
-        print("generation", number, "begins", file=sys.stderr, flush=True)
-        real(bench, question, ends, parents, number)
-    return real(bench, question, ends, parents, number)
+def generation(bench, question, ends, parents):
+    while parents.number == {number}:
+        print("generation", parents.number, "begins", file=sys.stderr, flush=True)
+        real(bench, question, ends, parents)
+    return real(bench, question, ends, parents)
 
 pareto._next_generation = generation
 main(sys.argv[1:])
