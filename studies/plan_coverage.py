@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from sweetspot import catalog
-from sweetspot.answers.plan_swings import after, half_width
+from sweetspot.answers.plan_swings import after
 from sweetspot.numerics.arrays import Array
 from sweetspot.player.model import player_model
 from sweetspot.player.planning import Aim, SwingPlan, SwingScatter, swing_plan
@@ -50,7 +50,7 @@ def run(player: Array, plan: SwingPlan, *, within: float, batch: int, most: int,
         )
         posterior = fit_player(model, seed=seed)
         found = posterior.learned[plan.aim].interval
-        if not after(plan, posterior, within).further(half_width(found), within):
+        if not after(plan, posterior, within).further(found.half_width, within):
             return found.value - truth, len(swings), True
         if len(swings) >= most:
             return found.value - truth, len(swings), False

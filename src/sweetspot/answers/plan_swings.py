@@ -130,19 +130,10 @@ def plan_swings_answer(question: PlanSwingsQuestion) -> PlanSwingsAnswer:
         return _answer(question, plan, verdict, order, made=0, further=len(plan.order), estimate=None)
     posterior = fitted_sheet(question, plan)
     found = posterior.learned[question.aim].interval
-    further = len(plan.bats) * after(plan, posterior, question.within).further(half_width(found), question.within)
+    further = len(plan.bats) * after(plan, posterior, question.within).further(found.half_width, question.within)
     made = len(posterior.model.swings)
     batch = plan.order_of(min(question.batch, further))
     return _answer(question, plan, "go on" if further else "stop", batch, made=made, further=further, estimate=found)
-
-
-def half_width(found: Interval) -> float:
-    """Return half the width of an interval.
-
-    >>> half_width(Interval(1.0, 0.5, 2.0))
-    0.75
-    """
-    return (found.high - found.low) / 2
 
 
 def after(plan: SwingPlan, posterior: PlayerPosterior, within: float) -> SwingPlan:

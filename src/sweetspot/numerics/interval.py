@@ -31,6 +31,15 @@ class Interval:
     low: float
     high: float
 
+    @property
+    def half_width(self) -> float:
+        """Half the distance between its ends.
+
+        >>> Interval(1.0, 0.5, 2.0).half_width
+        0.75
+        """
+        return (self.high - self.low) / 2
+
     def shifted(self, distance: float) -> Interval:
         """Return the interval moved by ``distance``."""
         return Interval(self.value + distance, self.low + distance, self.high + distance)

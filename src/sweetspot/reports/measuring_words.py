@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from sweetspot.answers.worth_measuring import WorthMeasuring
 from sweetspot.calibration.measurements import MeasuredKind
-from sweetspot.reports.sentences import Sentence, Slot, say
+from sweetspot.reports.sentences import Sentence, Slot, listed, say
 
 MUCH = 0.7
 """Part of an interval that a measurement may leave to be worth a sentence [our choice]."""
@@ -33,6 +33,5 @@ def what_to_measure(worth: Sequence[WorthMeasuring], half: float, *, beside: str
     chosen = next(each for each in worth if float(each.half_interval) <= AS_WELL * least)
     its = "it" if not beside else "both" if len(chosen.implements) > 1 else chosen.implements[0]
     swings = f"{its} swing" if its == "both" else f"{its} swings"
-    *first, last = [HOW_TO[kind].format(it=its, it_swings=swings) for kind in chosen.measured]
-    ways = " and ".join([*filter(None, [", ".join(first)]), last])
+    ways = listed([HOW_TO[kind].format(it=its, it_swings=swings) for kind in chosen.measured])
     return say(" To know it within {half}, {ways}.", half=Slot(chosen.half_interval, "speed"), ways=ways)

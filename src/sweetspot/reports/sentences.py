@@ -262,6 +262,16 @@ def joined(sentences: Iterable[Words | Slot], between: str = " ") -> Sentence:
     return Sentence(tuple(parts))
 
 
+def listed(texts: Sequence[str]) -> str:
+    """Return texts one after the other, "and" before the last of them.
+
+    >>> listed(["weigh it"]), listed(["mass", "shape", "wood"])
+    ('weigh it', 'mass, shape and wood')
+    """
+    *first, last = texts
+    return " and ".join([*filter(None, [", ".join(first)]), last])
+
+
 def read(words: Words, reader: Reader) -> str:
     """Return words as a reader sees them."""
     return words if isinstance(words, str) else words.read(reader)

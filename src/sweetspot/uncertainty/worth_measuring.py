@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sweetspot.calibration.measurements import MeasuredKind, Measurement
+from sweetspot.dynamics.beam import BeamModel
 from sweetspot.dynamics.rigid import rigid_body
 from sweetspot.equipment.implement import Implement
 from sweetspot.uncertainty.implement_doubt import ImplementDoubt, beam_of, usual_measurement, values_by_numbers, written
@@ -46,12 +47,13 @@ def narrowings(
     others : standard deviation of the answer by all else.
     """
     steep, columns = np.array(list(slopes.values())), {number: column for column, number in enumerate(slopes)}
-    lacking = [_lacking(tool, doubt) for tool, doubt in implements]
+    beams = [beam_of(tool) if doubt.unknowns else None for tool, doubt in implements]
+    lacking = [[] if beam is None else _lacking(tool, beam) for beam, (tool, _) in zip(beams, implements, strict=True)]
     rows, errors, whose = [], [], []
-    for number, ((tool, doubt), measurements) in enumerate(zip(implements, lacking, strict=True)):
-        if measurements:
+    for number, ((_, doubt), beam, measurements) in enumerate(zip(implements, beams, lacking, strict=True)):
+        if beam is not None and measurements:
             row = np.zeros((len(measurements), len(columns)))
-            row[:, [columns[each] for each in doubt.behind]] = values_by_numbers(doubt, beam_of(tool), measurements)
+            row[:, [columns[each] for each in doubt.behind]] = values_by_numbers(doubt, beam, measurements)
             rows.append(row)
             errors += [each.error for each in measurements]
             whose += [(number, each.kind) for each in measurements]
@@ -70,12 +72,12 @@ def narrowings(
     return tuple(found.values())
 
 
-def _lacking(tool: Implement, doubt: ImplementDoubt) -> list[Measurement]:
+def _lacking(tool: Implement, beam: BeamModel) -> list[Measurement]:
     """Return the measurements that a workshop can make and that an implement's file does not have."""
     in_file = {each.kind for each in written(tool)}
     kinds = [kind for kind in dict.fromkeys(kind for kinds in WORKSHOP for kind in kinds) if kind not in in_file]
-    if not doubt.unknowns or not kinds:
+    if not kinds:
         return []
-    body = rigid_body(beam_of(tool))
+    body = rigid_body(beam)
     values = {"mass": body.mass, "balance_point": body.balance_point, "moi": body.moi(tool.moi_axis)}
     return [usual_measurement(tool, kind, values[kind]) for kind in kinds]

@@ -6,7 +6,7 @@ from sweetspot.answers.report import ReportAnswer
 from sweetspot.equipment.sport import Terms
 from sweetspot.numerics.interval import REACH, Interval
 from sweetspot.reports.measuring_words import what_to_measure
-from sweetspot.reports.sentences import Sentence, Slot, say
+from sweetspot.reports.sentences import Sentence, Slot, listed, say
 from sweetspot.reports.sport_words import in_words
 from sweetspot.uncertainty.drawn_hits import SpeedDoubt
 from sweetspot.uncertainty.sources import BALL_SOURCES, PATCH, PITCH, SWING
@@ -27,7 +27,7 @@ def sureness(report: ReportAnswer, words: Terms) -> Sentence:
 def narrower(report: ReportAnswer) -> Sentence:
     """Return the measurement that makes the exit speed much surer; nothing where none does."""
     whole = report.best_hit.exit_speed
-    now = (whole.high - whole.low) / 2 if isinstance(whole, Interval) else float(report.best_hit.exit_speed_half or 0.0)
+    now = whole.half_width if isinstance(whole, Interval) else float(report.best_hit.exit_speed_half or 0.0)
     return what_to_measure(report.worth_measuring, now)
 
 
@@ -40,8 +40,8 @@ def doubt_words(doubt: SpeedDoubt, words: Terms) -> Sentence:
     ranked = sorted(parts, key=lambda thing: -parts[thing])
     if parts[ranked[0]] >= MOSTLY:
         return say(", give or take {half}, mostly by {thing}", half=half, thing=ranked[0])
-    *named, last = [thing for thing in ranked if parts[thing] >= COUNTS]
-    return say(", give or take {half}, by {things} and {last}", half=half, things=", ".join(named), last=last)
+    things = listed([thing for thing in ranked if parts[thing] >= COUNTS])
+    return say(", give or take {half}, by {things}", half=half, things=things)
 
 
 def _by_thing(doubt: SpeedDoubt, words: Terms) -> dict[str, float]:

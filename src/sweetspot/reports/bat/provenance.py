@@ -23,7 +23,7 @@ from sweetspot.equipment.table_tennis_racket import Rubber, TableTennisRacket
 from sweetspot.motion.swing import Conditions
 from sweetspot.numerics.interval import Number
 from sweetspot.reports.document import Block, Paragraph
-from sweetspot.reports.sentences import Sentence, Slot, joined, say
+from sweetspot.reports.sentences import Sentence, Slot, joined, listed, say
 from sweetspot.reports.sport_words import in_words, words_of
 
 MECHANICS = ("nathan2000", "nathan2003", "cross1998", "cowper1966", "astm_f2398", "astm_f2219", "griffin2012")
@@ -193,8 +193,7 @@ def soft_defaults(sport_name: str, ball: Ball, conditions: Conditions | None = N
         if each.kind == "assumed" and each.value == value
     ]
     if values := assumed_of_ball(ball):
-        listed = " and ".join([*filter(None, [", ".join(values[:-1])]), values[-1]])
-        soft.append(in_words("of the {ball}, {listed}", words_of(sport_name), listed=listed))
+        soft.append(in_words("of the {ball}, {listed}", words_of(sport_name), listed=listed(values)))
     return say("Assumed, not measured: {soft}.", soft=joined(soft, "; ")) if soft else Sentence(())
 
 

@@ -130,9 +130,8 @@ def verdict(answer: CompareAnswer) -> list[Sentence]:
         taken = [answer.bats[which].label for which in (0, index) if not answer.sources[which].unknowns]
         given = f" if {' and '.join(taken)} {'is' if len(taken) == 1 else 'are'} just as described" if taken else ""
         ends = interval_of(bat.change)
-        half = (ends.high - ends.low) / 2
         open_sign = sure_sign(ends.low, ends.high, nothing=NO_SPEED) == 0
-        measure = what_to_measure(bat.worth_measuring, half, beside=bat.label) if open_sign else say("")
+        measure = what_to_measure(bat.worth_measuring, ends.half_width, beside=bat.label) if open_sign else say("")
         sentences.append(tell(VERDICT, given=given, **_facts(answer, bat)) + measure)
     return sentences
 
